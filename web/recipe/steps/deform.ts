@@ -1,0 +1,35 @@
+import * as v from 'valibot';
+import { finite, matrix, reference, stepId, vec3, vertexSet } from '../schema-parts';
+
+const label = { name: v.optional(v.pipe(v.string(), v.maxLength(64))), hidden: v.optional(v.boolean()) };
+
+const regionHandle = v.strictObject({ kind: v.literal('region'), vertices: vertexSet, matrix, ...label });
+
+const pointHandle = v.strictObject({
+  kind: v.literal('point'),
+  vertices: v.pipe(v.array(v.pipe(v.number(), v.integer(), v.minValue(0))), v.length(1, 'exactly one vertex')),
+  position: vec3,
+  ...label,
+});
+
+const options = v.strictObject({
+  removeShear: v.optional(v.boolean(), true),
+  scaleDetails: v.optional(v.boolean(), false),
+  iterations: v.optional(v.pipe(finite, v.integer(), v.minValue(1), v.maxValue(100)), 1),
+  coherenceRing: v.optional(v.picklist([1, 2]), 1),
+});
+
+/** Bends a region of interest by handles (Fu ch. 2). Vertex indices are those of the step's input model. */
+export const deformStep = v.strictObject({
+  id: stepId,
+  type: v.literal('deform'),
+  model: reference,
+  roi: v.optional(vertexSet, 'all'),
+  handles: v.array(v.variant('kind', [regionHandle, pointHandle])),
+  method: v.optional(v.picklist(['implicit', 'iterative', 'naive']), 'implicit'),
+  options: v.optional(options, {}),
+});
+
+export type DeformStep = v.InferOutput<typeof deformStep>;
+export type DeformHandle = DeformStep['handles'][number];
+export const DEFORM_OPTIONS = v.getDefaults(options);
