@@ -1,0 +1,183 @@
+// The app as components see it: signals to read (`state`), services to call. `main.ts` builds it;
+// tests and components under test may hand in doubles.
+//
+// Command ids (commands/*.ts): file.open file.gallery file.save file.save-as file.export file.screenshot
+// file.share file.restore · edit.undo edit.redo · tool.select tool.paint-roi tool.paint-handle
+// tool.point-handle brush.larger brush.smaller brush.erase brush.mirror roi.everything roi.clear ·
+// handle.new handle.delete handle.hide handle.reset handle.deselect handle.next handle.previous step.apply ·
+// gizmo.move gizmo.rotate gizmo.scale · view.fit view.front view.back view.left view.right view.top view.bottom
+// view.home view.projection view.wireframe view.smooth view.grid view.heat view.theme ·
+// help.palette help.shortcuts help.settings
+
+import type { ReadonlySignal } from '@preact/signals';
+import type { VertexSet } from '../core/vertex-set';
+import type { DeformHandle, DeformStep } from '../recipe/recipe';
+import type { ViewportPort } from '../view/types';
+import type { Commands } from './commands';
+import type { State, Toast } from './state';
+
+export interface App {
+  readonly state: State;
+  readonly commands: Commands;
+  readonly keymap: KeymapService;
+  readonly document: DocumentService;
+  readonly deform: DeformService;
+  readonly files: FileService;
+  readonly autosave: AutosaveService;
+  readonly share: ShareService;
+  readonly settings: SettingsService;
+  readonly gallery: GalleryService;
+  readonly messages: MessageService;
+  /** `null` where WebGL 2 is missing: panels, files and links still work. */
+  readonly viewport: ViewportPort | null;
+  /** Loads the newer version that `state.updateReady` announced. */
+  reload(): void;
+}
+
+export interface MessageService {
+  toast(kind: Toast['kind'], text: string, action?: Toast['action']): void;
+  dismiss(id: number): void;
+  /** Shows whatever was thrown as a sentence. Cancelled work says nothing. */
+  failed(error: unknown): void;
+}
+
+export interface DocumentService {
+  undo(): void;
+  redo(): void;
+  /** Opens a step of the recipe: its handles, its result. Undoable like every selection. */
+  openStep(id: string): void;
+  select(handle: number | null): void;
+  removeStep(id: string): void;
+}
+
+/** Angles in degrees, about the handle's rest centroid: x first, then y, then z, about the model's axes. */
+export interface HandlePose {
+  readonly translation: readonly [number, number, number];
+  readonly rotation: readonly [number, number, number];
+  readonly scale: readonly [number, number, number];
+}
+
+/** Edits of the open deform step. Each call is one step of undo, except previews. */
+export interface DeformService {
+  setRoi(roi: VertexSet): void;
+  setMethod(method: DeformStep['method']): void;
+  setOptions(options: Partial<DeformStep['options']>): void;
+  /** Name as shown: the handle's own, else `Handle 1` … */
+  handleName(index: number): string;
+  /** How many vertices it holds. */
+  handleSize(handle: DeformHandle): number;
+  rename(index: number, name: string): void;
+  hide(index: number, hidden: boolean): void;
+  remove(index: number): void;
+  /** Back to rest. */
+  reset(index: number): void;
+  pose(index: number): HandlePose | undefined;
+  /** Typed-in numbers; a part that is absent stays. `live` previews (slider, arrow held), then `finish`. */
+  setPose(index: number, pose: Partial<HandlePose>, live?: boolean): void;
+  finish(): void;
+  cancel(): void;
+  /** A new deform step on the result of the last one. */
+  applyAndContinue(): void;
+}
+
+export type ExportFormat = 'obj' | 'ply' | 'stl' | 'glb';
+
+/** One line of the export dialog. */
+export interface ExportChoice {
+  readonly format: ExportFormat;
+  readonly label: string;
+  readonly keeps: string;
+}
+
+export interface FileService {
+  /** The system's dialog; a mesh, a project or a recipe. */
+  open(): Promise<void>;
+  /** Files dropped on the window. Several: a mesh with what it refers to. */
+  openFiles(files: readonly File[]): Promise<void>;
+  save(): Promise<void>;
+  saveAs(): Promise<void>;
+  readonly exportChoices: readonly ExportChoice[];
+  exportModel(format: ExportFormat): Promise<void>;
+  screenshot(): Promise<void>;
+}
+
+export interface GalleryEntry {
+  readonly name: string;
+  readonly title: string;
+  readonly licence: string;
+  readonly vertices: number;
+  /** Address of the picture. */
+  readonly thumbnail: string;
+  /** Present for a finished example instead of a bare model. */
+  readonly recipe?: string;
+}
+
+export interface GalleryService {
+  readonly entries: ReadonlySignal<readonly GalleryEntry[]>;
+  open(entry: GalleryEntry): Promise<void>;
+}
+
+export interface RestorePoint {
+  readonly id: string;
+  /** ms since 1970. */
+  readonly time: number;
+  readonly title: string;
+  readonly steps: number;
+  readonly handles: number;
+  /** `auto`: saved while working; `kept`: set aside because something else was opened. */
+  readonly kind: 'auto' | 'kept';
+  /** True for the document that is open here. */
+  readonly current: boolean;
+}
+
+export interface AutosaveService {
+  restorePoints(): Promise<readonly RestorePoint[]>;
+  restore(id: string): Promise<void>;
+}
+
+/** A link, or why there is none. */
+export type ShareResult =
+  | { readonly kind: 'link'; readonly url: string; readonly fits: readonly ShareFit[] }
+  | { readonly kind: 'needs-file'; readonly reason: string };
+
+export interface ShareFit {
+  readonly where: string;
+  readonly limit: number;
+  readonly fits: boolean;
+}
+
+export interface ShareService {
+  link(): Promise<ShareResult>;
+  /** Makes the link and copies it. */
+  copy(): Promise<void>;
+}
+
+export interface Settings {
+  readonly theme: 'dark' | 'light';
+  /** Fingers navigate, only the pen paints. */
+  readonly penOnly: boolean;
+  /** Shortcuts of one letter (WCAG 2.1.4: may be switched off). */
+  readonly singleKeys: boolean;
+  /** Command id → shortcuts that replace the default ones. */
+  readonly keys: Readonly<Record<string, readonly string[]>>;
+}
+
+export interface SettingsService {
+  readonly values: ReadonlySignal<Settings>;
+  update(change: Partial<Settings>): void;
+}
+
+export interface KeymapService {
+  /** Shortcuts of a command as they are now; follows the settings. */
+  keys(command: string): readonly string[];
+  /** `Mod+Shift+Z` as this system writes it: `Ctrl+Shift+Z` or `⇧⌘Z`. */
+  label(key: string): string;
+  /** First shortcut as a label, `''` when there is none: for tooltips. */
+  hint(command: string): string;
+  /** The shortcut a key press stands for, `null` for a bare modifier. Used when remapping. */
+  keyOf(event: KeyboardEvent): string | null;
+  /** @returns the command that holds `key` now, whose shortcut it would take */
+  ownerOf(key: string): string | null;
+  rebind(command: string, keys: readonly string[]): void;
+  resetAll(): void;
+}

@@ -1,0 +1,63 @@
+// The one command registry: menu, palette, shortcuts, tooltips and the help sheet are all made from it.
+// The commands themselves are in commands/*.ts; keymap.ts decides which keys reach them.
+
+import type { MessageKey } from './i18n';
+
+export type CommandGroup = 'file' | 'edit' | 'tool' | 'handle' | 'view' | 'help';
+
+export interface Command {
+  /** Stable: keymaps are stored under it. */
+  readonly id: string;
+  readonly group: CommandGroup;
+  readonly title: MessageKey;
+  /** Name of a Lucide icon, kebab-case. */
+  readonly icon?: string;
+  /** Default shortcuts, as keymap.ts writes them: `Mod+Shift+Z`, `B`, `[`, `Delete`. `Mod` is Cmd on a Mac. */
+  readonly keys?: readonly string[];
+  /** Reads signals, so components that call it follow. Absent: always. */
+  readonly enabled?: () => boolean;
+  /** For a command that switches something: whether it is on now. */
+  readonly checked?: () => boolean;
+  readonly run: () => void | Promise<void>;
+  /** Not offered in the palette (a key only makes sense held or repeated). */
+  readonly hidden?: boolean;
+}
+
+export class Commands {
+  readonly #byId = new Map<string, Command>();
+
+  constructor(
+    commands: readonly Command[],
+    /** Told of whatever a command throws. */
+    private readonly failed: (error: unknown) => void,
+  ) {
+    for (const command of commands) {
+      if (this.#byId.has(command.id)) throw new Error(`command ${command.id} is registered twice`);
+      this.#byId.set(command.id, command);
+    }
+  }
+
+  get all(): readonly Command[] {
+    return [...this.#byId.values()];
+  }
+
+  get(id: string): Command {
+    const command = this.#byId.get(id);
+    if (!command) throw new Error(`no command ${id}`);
+    return command;
+  }
+
+  isEnabled(id: string): boolean {
+    return this.get(id).enabled?.() ?? true;
+  }
+
+  /** Runs the command unless it is disabled; a failure becomes a message, never an exception. */
+  async run(id: string): Promise<void> {
+    if (!this.isEnabled(id)) return;
+    try {
+      await this.get(id).run();
+    } catch (error) {
+      this.failed(error);
+    }
+  }
+}
