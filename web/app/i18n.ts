@@ -1,6 +1,9 @@
-// All words the user sees are in locales/en.json, under typed keys. `{name}` in a message is filled from `params`.
+// All words the user sees are in locales/en*.json, under typed keys. `{name}` in a message is filled from `params`.
 
-import en from './locales/en.json';
+import words from './locales/en.json';
+import ui from './locales/en.ui.json';
+
+const en = { ...words, ...ui };
 
 export type MessageKey = keyof typeof en;
 export type Params = Readonly<Record<string, string | number>>;

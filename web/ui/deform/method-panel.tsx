@@ -1,0 +1,63 @@
+import { t } from '../../app/i18n';
+import { useApp } from '../context';
+import { Segments, SelectField, SliderField, Switch } from '../controls/fields';
+import { Section } from '../controls/section';
+
+export function MethodPanel() {
+  const { state, deform } = useApp();
+  const step = state.step.value;
+  if (!step) return null;
+  const { method, options } = step;
+  return (
+    <Section title={t('ui.method')}>
+      <SelectField
+        label={t('ui.method.name')}
+        value={method}
+        options={(['implicit', 'iterative', 'naive'] as const).map((value) => ({
+          value,
+          label: t(`ui.method.${value}`),
+        }))}
+        onChange={(value) => deform.setMethod(value)}
+      />
+      {method !== 'naive' && (
+        <>
+          <Switch
+            label={t('ui.method.shear')}
+            title={t('ui.method.shear.help')}
+            checked={options.removeShear}
+            onChange={(removeShear) => deform.setOptions({ removeShear })}
+          />
+          <Switch
+            label={t('ui.method.scale')}
+            title={t('ui.method.scale.help')}
+            checked={options.scaleDetails}
+            disabled={!options.removeShear}
+            onChange={(scaleDetails) => deform.setOptions({ scaleDetails })}
+          />
+          <div class="field">
+            <span class="label" title={t('ui.method.ring.help')}>
+              {t('ui.method.ring')}
+            </span>
+            <Segments
+              label={t('ui.method.ring')}
+              value={String(options.coherenceRing)}
+              options={['1', '2'].map((value) => ({ value, label: value }))}
+              onChange={(ring) => deform.setOptions({ coherenceRing: ring === '2' ? 2 : 1 })}
+            />
+          </div>
+        </>
+      )}
+      {method === 'iterative' && (
+        <SliderField
+          label={t('ui.method.iterations')}
+          value={options.iterations}
+          min={1}
+          max={20}
+          step={1}
+          digits={0}
+          onChange={(iterations) => deform.setOptions({ iterations: Math.round(iterations) })}
+        />
+      )}
+    </Section>
+  );
+}

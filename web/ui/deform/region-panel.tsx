@@ -1,0 +1,24 @@
+import { t } from '../../app/i18n';
+import { useApp } from '../context';
+import { CommandButton } from '../controls/command-button';
+import { Section } from '../controls/section';
+
+export function RegionPanel() {
+  const { state } = useApp();
+  const step = state.step.value;
+  if (!step) return null;
+  const free = state.figures.value.free;
+  return (
+    <Section title={t('ui.region')} aside={<span class="dot roi" />}>
+      <p class="muted">
+        {step.roi === 'all' ? t('ui.region.all') : t('ui.region.painted')}
+        {free !== null && ` · ${t('ui.region.free', { count: free })}`}
+      </p>
+      <div class="buttons">
+        <CommandButton command="tool.paint-roi" kind="solid" />
+        <CommandButton command="roi.everything" kind="solid" />
+        <CommandButton command="roi.clear" kind="solid" />
+      </div>
+    </Section>
+  );
+}

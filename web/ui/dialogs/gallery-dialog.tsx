@@ -1,0 +1,59 @@
+import type { GalleryEntry } from '../../app/api';
+import { t } from '../../app/i18n';
+import { useApp } from '../context';
+import { Button } from '../controls/button';
+import { Dialog } from '../controls/dialog';
+
+export function GalleryDialog({ onClose }: { onClose: () => void }) {
+  const { gallery, files, messages } = useApp();
+  const entries = gallery.entries.value;
+  const open = (entry: GalleryEntry) => {
+    onClose();
+    gallery.open(entry).catch((error: unknown) => messages.failed(error));
+  };
+  const group = (title: string, list: readonly GalleryEntry[]) =>
+    list.length > 0 && (
+      <section>
+        <h3 class="gallery-title">{title}</h3>
+        <ul class="gallery">
+          {list.map((entry) => (
+            <li key={entry.recipe ?? entry.name}>
+              <button type="button" class="card" onClick={() => open(entry)} title={entry.licence}>
+                <img src={entry.thumbnail} alt="" loading="lazy" width="256" height="192" />
+                <span class="card-title">{entry.title}</span>
+                <span class="muted">{t('ui.figure.vertices', { count: entry.vertices })}</span>
+              </button>
+            </li>
+          ))}
+        </ul>
+      </section>
+    );
+  return (
+    <Dialog
+      wide
+      title={t('ui.gallery')}
+      closeLabel={t('ui.close')}
+      onClose={onClose}
+      footer={
+        <Button
+          kind="solid"
+          icon="folder-open"
+          label={t('ui.gallery.own')}
+          onClick={() => {
+            onClose();
+            files.open().catch((error: unknown) => messages.failed(error));
+          }}
+        />
+      }
+    >
+      {group(
+        t('ui.gallery.examples'),
+        entries.filter((entry) => entry.recipe),
+      )}
+      {group(
+        t('ui.gallery.models'),
+        entries.filter((entry) => !entry.recipe),
+      )}
+    </Dialog>
+  );
+}

@@ -1,0 +1,42 @@
+import type { CommandGroup } from '../../app/commands';
+import { t } from '../../app/i18n';
+import { useApp } from '../context';
+import { Dialog } from '../controls/dialog';
+
+const GROUPS: readonly CommandGroup[] = ['tool', 'handle', 'edit', 'view', 'file', 'help'];
+
+/** The keyboard map, made from the command registry. */
+export function HelpDialog({ onClose }: { onClose: () => void }) {
+  const { commands, keymap } = useApp();
+  return (
+    <Dialog wide title={t('ui.help')} closeLabel={t('ui.close')} onClose={onClose}>
+      <section class="help-pointer">
+        {(['orbit', 'pan', 'zoom', 'paint', 'erase', 'touch'] as const).map((gesture) => (
+          <p key={gesture}>{t(`ui.help.${gesture}`)}</p>
+        ))}
+      </section>
+      <div class="help-groups">
+        {GROUPS.map((group) => (
+          <section key={group}>
+            <h3>{t(`ui.group.${group}`)}</h3>
+            <dl>
+              {commands.all
+                .filter((command) => command.group === group && keymap.keys(command.id).length > 0)
+                .map((command) => (
+                  <div key={command.id}>
+                    <dt>{t(command.title)}</dt>
+                    <dd>
+                      {keymap.keys(command.id).map((key) => (
+                        <kbd key={key}>{keymap.label(key)}</kbd>
+                      ))}
+                    </dd>
+                  </div>
+                ))}
+            </dl>
+          </section>
+        ))}
+      </div>
+      <p class="muted">{t('ui.help.version', { version: __VERSION__ })}</p>
+    </Dialog>
+  );
+}
