@@ -1,0 +1,23 @@
+import { accessSync, constants } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+
+export const root = fileURLToPath(new URL('../..', import.meta.url)).replace(/[\\/]$/, '');
+
+/** Full path of a program, or undefined. */
+export function onPath(program) {
+  const extensions = process.platform === 'win32' ? ['.exe', '.bat', '.cmd'] : [''];
+  const folders = (process.env.PATH ?? '').split(path.delimiter);
+  return folders
+    .flatMap((folder) => extensions.map((end) => path.join(folder, program + end)))
+    .find(executable);
+}
+
+export function executable(file) {
+  try {
+    accessSync(file, constants.X_OK);
+    return true;
+  } catch {
+    return false;
+  }
+}

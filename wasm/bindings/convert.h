@@ -1,0 +1,99 @@
+#pragma once
+
+// The whole traffic between JS values and C++: copies only, so no view outlives a growth of the memory.
+
+#include "lissom/mesh/errors.h"
+#include "lissom/mesh/working_mesh.h"
+
+#include <emscripten/val.h>
+
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace bindings {
+
+using emscripten::val;
+
+/// Uint32Array → indices; what does not fit an int becomes negative, hence out of range.
+inline std::vector<int> indices(const val& uint32) {
+    return emscripten::convertJSArrayToNumberVector<int>(uint32);
+}
+
+/// Float64Array of 3n → n×3.
+inline lissom::Points points(const val& float64) {
+    const auto length = float64["length"].as<std::size_t>();
+    if (length % 3 != 0)
+        throw lissom::InvalidInput("wrong-size", "Positions come in threes, but there are " + std::to_string(length) +
+                                                     " numbers.");
+    lissom::Points result(static_cast<Eigen::Index>(length / 3), 3);
+    val(emscripten::typed_memory_view(length, result.data())).call<void>("set", float64);
+    return result;
+}
+
+/// A fresh typed array that JS owns and may transfer; its element type is that of `numbers`.
+template <typename Number>
+val typed_array(const Number* numbers, std::size_t length) {
+    return val(emscripten::typed_memory_view(length, numbers)).call<val>("slice");
+}
+
+inline val float64_array(const lissom::Points& points) {
+    return typed_array(points.data(), static_cast<std::size_t>(points.size()));
+}
+
+inline val int32_array(const std::vector<int>& numbers) { return typed_array(numbers.data(), numbers.size()); }
+
+/// For indices that are never negative.
+inline val uint32_array(const int* numbers, std::size_t length) {
+    return typed_array(reinterpret_cast<const unsigned*>(numbers), length);
+}
+
+/// Import findings and step warnings, as `Finding` of web/core/errors.ts.
+inline val findings(const std::vector<lissom::Finding>& list) {
+    val result = val::array();
+    for (const lissom::Finding& finding : list) {
+        val examples = val::array();
+        for (const int index : finding.examples) examples.call<void>("push", index);
+        val one = val::object();
+        one.set("code", finding.code);
+        one.set("count", finding.count);
+        one.set("examples", examples);
+        one.set("repaired", finding.repaired);
+        result.call<void>("push", one);
+    }
+    return result;
+}
+
+/// Reads options[name] into `field`; an absent one keeps the C++ default, the only place defaults live.
+template <typename T>
+void read(const val& options, const char* name, T& field) {
+    if (const val given = options[name]; !given.isUndefined()) field = given.as<T>();
+}
+
+[[noreturn]] inline void throw_js(const std::string& code, const std::string& message, const char* fault) {
+    val error = val::global("Error").new_(message);
+    error.set("code", code);
+    error.set("fault", std::string(fault));
+    error.throw_();
+}
+
+/// Runs `body`; a C++ exception leaves it as a JS Error with `code` and `fault` (web/core/errors.ts).
+template <typename Body>
+auto guarded(Body&& body) -> decltype(body()) {
+    try {
+        return body();
+    } catch (const lissom::InvalidInput& e) {
+        throw_js(e.code(), e.what(), "input");
+    } catch (const lissom::SolverFailure& e) {
+        throw_js("solver-failure", e.what(), "solver");
+    } catch (const std::bad_alloc&) {
+        throw_js("out-of-memory", "", "memory");
+    } catch (const std::length_error&) {
+        throw_js("out-of-memory", "", "memory");
+    } catch (const std::exception& e) {
+        throw_js("kernel-crash", e.what(), "crash");
+    }
+}
+
+} // namespace bindings

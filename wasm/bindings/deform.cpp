@@ -1,0 +1,112 @@
+#include "convert.h"
+#include "lissom/deform/deform_session.h"
+
+#include <emscripten/bind.h>
+
+#include <memory>
+
+using namespace emscripten;
+using namespace bindings;
+
+namespace {
+
+/// A session together with the model it refers to, so that either may be released first.
+struct HeldSession {
+    std::shared_ptr<lissom::WorkingMesh> working;
+    lissom::DeformSession session;
+};
+
+lissom::DeformMethod method_named(const std::string& name) {
+    if (name == "implicit") return lissom::DeformMethod::implicit;
+    if (name == "iterative") return lissom::DeformMethod::iterative;
+    if (name == "naive") return lissom::DeformMethod::naive;
+    throw lissom::InvalidInput("bad-option", "There is no deformation method called '" + name +
+                                                 "'. Choose implicit, iterative or naive.");
+}
+
+lissom::DeformOptions deform_options(const val& given) {
+    lissom::DeformOptions options;
+    if (const val method = given["method"]; !method.isUndefined()) options.method = method_named(method.as<std::string>());
+    read(given, "removeShear", options.remove_shear);
+    read(given, "scaleDetails", options.scale_details);
+    read(given, "iterations", options.iterations);
+    read(given, "coherenceRing", options.coherence_ring);
+    return options;
+}
+
+// new DeformSession(model, roi: Uint32Array, handles: { kind, vertices: Uint32Array }[], options)
+HeldSession* prepare(const std::shared_ptr<lissom::WorkingMesh>& working, const val& roi, const val& handles,
+                     const val& options) {
+    return guarded([&] {
+        std::vector<lissom::DeformHandle> groups;
+        for (const val& handle : vecFromJSArray<val>(handles))
+            groups.push_back({handle["kind"].as<std::string>() == "point", indices(handle["vertices"])});
+        return new HeldSession{working,
+                               lissom::DeformSession(*working, indices(roi), groups, deform_options(options))};
+    });
+}
+
+bool step(HeldSession& held) {
+    return guarded([&] { return held.session.step(); });
+}
+
+double fraction(const HeldSession& held) { return held.session.fraction(); }
+
+// figures() → what PreparedDeform of web/kernel/contract.ts says of a prepared session
+val figures(const HeldSession& held) {
+    return guarded([&] {
+        val seconds = val::object();
+        seconds.set("assemble", held.session.assemble_seconds());
+        seconds.set("factor", held.session.factor_seconds());
+        val result = val::object();
+        result.set("free", held.session.free_vertices());
+        result.set("degenerate", held.session.degenerate_vertices());
+        result.set("warnings", findings(held.session.warnings()));
+        result.set("seconds", seconds);
+        return result;
+    });
+}
+
+// k column-major 4×4 matrices, end to end, as THREE.Matrix4.elements
+std::vector<Eigen::Affine3d> affine_maps(const val& matrices) {
+    const auto flat = convertJSArrayToNumberVector<double>(matrices);
+    if (flat.size() % 16 != 0)
+        throw lissom::InvalidInput("handle-count", "Each handle needs the sixteen numbers of its matrix.");
+    std::vector<Eigen::Affine3d> maps(flat.size() / 16);
+    for (std::size_t j = 0; j < maps.size(); ++j) {
+        const Eigen::Map<const Eigen::Matrix4d> matrix(flat.data() + 16 * j);
+        if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+            throw lissom::InvalidInput(matrix.allFinite() ? "not-affine" : "non-finite-target",
+                                       "The transformation of handle " + std::to_string(j + 1) +
+                                           " is not made of a move, a turn and a scale. Reset the handle.");
+        maps[j].matrix() = matrix;
+    }
+    return maps;
+}
+
+// deform(targets: Float64Array, settle) → Deformed of web/kernel/contract.ts
+val deform(const HeldSession& held, const val& targets, bool settle) {
+    return guarded([&] {
+        const lissom::DeformResult moved = held.session.deform(affine_maps(targets), settle);
+        val seconds = val::object();
+        seconds.set("solve", moved.solve_seconds);
+        seconds.set("rotate", moved.rotate_seconds);
+        seconds.set("reconstruct", moved.reconstruct_seconds);
+        val result = val::object();
+        result.set("positions", float64_array(moved.positions));
+        result.set("iterations", moved.iterations);
+        result.set("seconds", seconds);
+        return result;
+    });
+}
+
+} // namespace
+
+EMSCRIPTEN_BINDINGS(deform) {
+    class_<HeldSession>("DeformSession")
+        .constructor(&prepare, allow_raw_pointers())
+        .function("step", &step)
+        .function("fraction", &fraction)
+        .function("figures", &figures)
+        .function("deform", &deform);
+}

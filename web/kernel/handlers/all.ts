@@ -1,0 +1,14 @@
+import type { KernelModule } from '../../../wasm/bindings/kernel';
+import type { Handlers } from '../serve';
+import { deformHandlers } from './deform';
+import { modelHandlers } from './model';
+import { Registry } from './registry';
+
+/** One line per wing: the registry of this floor. */
+export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
+  const registry = new Registry(epoch);
+  return {
+    ...modelHandlers(wasm, registry),
+    ...deformHandlers(wasm, registry),
+  };
+}

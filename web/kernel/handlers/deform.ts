@@ -1,0 +1,31 @@
+import type { KernelModule } from '../../../wasm/bindings/kernel';
+import type { DeformId } from '../contract';
+import type { Handlers } from '../serve';
+import type { Registry } from './registry';
+
+/** Deformation sessions: factored in slices, then asked as often as the pointer moves. */
+export function deformHandlers(
+  wasm: KernelModule,
+  registry: Registry,
+): Pick<Handlers, 'prepareDeform' | 'deform'> {
+  return {
+    async prepareDeform({ model, roi, handles, options }, job) {
+      const mesh = registry.get(model, wasm.WorkingMesh);
+      const session = new wasm.DeformSession(mesh, roi, handles, options);
+      try {
+        await job.advance(
+          () => session.step(),
+          () => session.fraction(),
+        );
+        const figures = session.figures();
+        return { deform: registry.add<DeformId>(session), ...figures, peakBytes: wasm.peakBytes() };
+      } catch (error) {
+        session.delete();
+        throw error;
+      }
+    },
+
+    deform: ({ deform, targets, settle = true }) =>
+      registry.get(deform, wasm.DeformSession).deform(targets, settle),
+  };
+}
