@@ -27,7 +27,8 @@ namespace lissom {
 
 /// Cotangent Laplacian stiffness, n×n, symmetric, negative semi-definite, rows sum to zero:
 /// L_ij = ½(cot α_ij + cot β_ij) off the diagonal. No unit. Cotangents are those of triangles whose area
-/// is floored relative to their longest edge, so needles and zero-area triangles give finite weights.
+/// is floored relative to their longest edge (height at least 1e-4 of it), so needles and zero-area triangles
+/// give weights of at most 1e4 and the matrix stays semi-definite.
 /// The edge weight may be negative where the mesh is not Delaunay.
 [[nodiscard]] SparseMatrix cotangent_laplacian(const TriangleMesh& mesh);
 

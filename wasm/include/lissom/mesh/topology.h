@@ -40,7 +40,9 @@ struct Components {
 [[nodiscard]] Components components(const VertexRings& rings);
 
 /// Closed walks along edges that have one triangle, each in the direction of its triangles (the surface
-/// to the left). A vertex where loops touch is split into separate loops. Starts at its smallest vertex.
+/// to the left). A vertex where loops touch is split into separate loops. Starts at its smallest vertex;
+/// loops are ordered by it. On a one-sided surface the direction is that of the first edge walked. Chains that
+/// end on an edge of three triangles close nowhere and are left out.
 [[nodiscard]] std::vector<std::vector<int>> boundary_loops(const TriangleMesh& mesh);
 
 /// True for each vertex on an edge with exactly one triangle.
