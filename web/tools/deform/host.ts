@@ -1,0 +1,71 @@
+import type { DeformStep } from '../../recipe/recipe';
+import type { RegionPaint, ViewportPort } from '../../view/types';
+import type { MeshGraph } from '../mesh-graph';
+
+/** The open deform step and the shape it works on, as tools read them. */
+export interface DeformScene {
+  /** The committed step: what a gesture starts from. */
+  readonly step: DeformStep;
+  /** Index of the selected handle. */
+  readonly selected: number | null;
+  /** The step's input, 3 per source vertex. */
+  readonly rest: Float64Array;
+  /** What is on screen, same vertices. */
+  readonly posed: Float64Array;
+  readonly graph: MeshGraph;
+  /** The set together with what lies across the symmetry plane, when mirroring is on; else the set. */
+  readonly mirrored: (vertices: Uint32Array) => Uint32Array;
+}
+
+/** What an edit is called in the history; `name` is the handle's. */
+export type EditLabel =
+  | 'paint-roi'
+  | 'erase-roi'
+  | 'fill-roi'
+  | 'paint-handle'
+  | 'erase-handle'
+  | 'fill-handle'
+  | 'add-point'
+  | 'move-handle'
+  | 'rotate-handle'
+  | 'scale-handle';
+
+export interface DeformEdit {
+  readonly step: DeformStep;
+  /** The handle selected afterwards. */
+  readonly selected: number | null;
+}
+
+export interface Brush {
+  /** CSS pixels. */
+  readonly radius: number;
+  readonly erase: boolean;
+}
+
+type ToolView = Pick<
+  ViewportPort,
+  'pick' | 'pickMarker' | 'verticesWithin' | 'pointOnScreenPlane' | 'pixelSize' | 'setBrush'
+>;
+
+/** What deform tools need of the app: one scene in, edits out. Tests use doubles. */
+export interface DeformHost {
+  readonly view: ToolView;
+  /** `null` while no model is open. */
+  scene(): DeformScene | null;
+  brush(): Brush;
+  /** A name for the next new handle. */
+  newName(step: DeformStep): string;
+  /** Shows an edit under way; nothing is history yet. */
+  preview(edit: DeformEdit): void;
+  /** Makes an edit one step of undo. */
+  commit(label: EditLabel, edit: DeformEdit): void;
+  /** Drops the preview: as if the gesture had never begun. */
+  cancel(): void;
+  select(handle: number | null): void;
+  /** Shows a stroke under way without computing anything; `null` ends it. */
+  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void;
+}
+
+/** Ids of markers in the view: the handle's index. */
+export const markerId = (handle: number): string => `handle:${handle}`;
+export const handleOfMarker = (id: string): number => Number(id.slice('handle:'.length));
