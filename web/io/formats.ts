@@ -1,0 +1,59 @@
+import { LissomError } from '../core/errors';
+import type { Model, ModelFormat } from '../core/model';
+import { detectFormat, type FileFormat, FORMAT_NAMES, formatOfName } from './detect';
+import { readObj } from './obj-read';
+import { writeObj } from './obj-write';
+import { readPly } from './ply-read';
+import { writePly } from './ply-write';
+import type { ReadResult } from './reading';
+
+/**
+ * Reads a model in any known format, by content before extension.
+ *
+ * @param fileName  with or without folder; the model's name is the part after it
+ * @throws LissomError `file-empty`, `file-truncated`, `file-damaged`, `file-not-a-mesh`, `count-too-large`,
+ *                     `format-unknown`, `format-unsupported`
+ */
+export function readModel(bytes: Uint8Array, fileName: string): ReadResult {
+  const name = fileName.replace(/^.*[/\\]/, '');
+  const format = detectFormat(bytes, name);
+  const { model, notes } = readAs(format, bytes, name);
+  const promised = formatOfName(name);
+  if (promised === undefined || promised === format) return { model, notes };
+  const message = `${name} is called ${FORMAT_NAMES[promised]}, but it is ${FORMAT_NAMES[format]} and was read as such.`;
+  return {
+    model,
+    notes: [{ code: 'extension-differs', count: 1, examples: [], repaired: true, message }, ...notes],
+  };
+}
+
+function readAs(format: FileFormat, bytes: Uint8Array, name: string): ReadResult {
+  switch (format) {
+    case 'obj':
+      return readObj(bytes, name);
+    case 'ply':
+      return readPly(bytes, name);
+    default:
+      throw unsupported(format);
+  }
+}
+
+const unsupported = (format: FileFormat) =>
+  new LissomError('format-unsupported', `${FORMAT_NAMES[format]} is not supported. Use OBJ or PLY.`);
+
+export interface WriteOptions {
+  /** PLY and STL as text instead of binary. */
+  readonly ascii?: boolean;
+}
+
+/** The bytes of a file in `format`, with the model's vertex order, polygons, colours, uvs and names. */
+export function writeModel(model: Model, format: ModelFormat, options: WriteOptions = {}): Uint8Array {
+  switch (format) {
+    case 'obj':
+      return writeObj(model);
+    case 'ply':
+      return writePly(model, options.ascii);
+    default:
+      throw unsupported(format);
+  }
+}
