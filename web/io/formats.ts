@@ -3,9 +3,11 @@ import type { Model, ModelFormat } from '../core/model';
 import { detectFormat, type FileFormat, FORMAT_NAMES, formatOfName } from './detect';
 import { readObj } from './obj-read';
 import { writeObj } from './obj-write';
+import { readOff } from './off';
 import { readPly } from './ply-read';
 import { writePly } from './ply-write';
 import type { ReadResult } from './reading';
+import { readStl, writeStl } from './stl';
 
 /**
  * Reads a model in any known format, by content before extension.
@@ -33,6 +35,10 @@ function readAs(format: FileFormat, bytes: Uint8Array, name: string): ReadResult
       return readObj(bytes, name);
     case 'ply':
       return readPly(bytes, name);
+    case 'stl':
+      return readStl(bytes, name);
+    case 'off':
+      return readOff(bytes, name);
     default:
       throw unsupported(format);
   }
@@ -53,6 +59,8 @@ export function writeModel(model: Model, format: ModelFormat, options: WriteOpti
       return writeObj(model);
     case 'ply':
       return writePly(model, options.ascii);
+    case 'stl':
+      return writeStl(model, options.ascii);
     default:
       throw unsupported(format);
   }

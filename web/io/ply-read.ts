@@ -61,6 +61,8 @@ export function readPly(bytes: Uint8Array, name: string): ReadResult {
   return { model, notes: notes.list() };
 }
 
+const PLURALS: Readonly<Record<string, string>> = { vertex: 'vertices', face: 'faces' };
+
 /** Everything announced must fit in the file: its least size is known before a row is read. */
 function checkCounts(header: PlyHeader, length: number, name: string): void {
   const present = length - header.dataStart;
@@ -75,7 +77,7 @@ function checkCounts(header: PlyHeader, length: number, name: string): void {
     needed += count * row;
     checkAnnounced(
       name,
-      `${count} entries of “${what}”`,
+      `${count} ${PLURALS[what] ?? `entries of “${what}”`}`,
       needed - (header.encoding === 'ascii' ? 1 : 0),
       present,
     );
