@@ -45,7 +45,13 @@ export interface PointMarker {
 
 /** What the viewport shows of a model, beside its shape. */
 export interface DisplayOptions {
-  readonly shading: 'clay' | 'matcap-clay' | 'matcap-pearl' | 'matcap-jade' | 'matcap-graphite' | 'vertex-colours';
+  readonly shading:
+    | 'clay'
+    | 'matcap-clay'
+    | 'matcap-pearl'
+    | 'matcap-jade'
+    | 'matcap-graphite'
+    | 'vertex-colours';
   readonly smooth: boolean;
   readonly wireframe: boolean;
   readonly grid: boolean;
@@ -87,6 +93,8 @@ export interface GizmoEvents {
   /** Every move; `matrix` is the gizmo's new column-major 4×4. */
   readonly onChange: (matrix: readonly number[]) => void;
   readonly onEnd: () => void;
+  /** Escape or a lost pointer: as if the drag had never begun. Without it, `onChange` with the first matrix and `onEnd`. */
+  readonly onCancel?: () => void;
 }
 
 /** What tools and app use of the viewport. Implemented by `Viewport` in viewport.ts; tests use doubles. */

@@ -1,0 +1,148 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  type Material,
+  Mesh,
+  Sphere,
+  Vector3,
+} from 'three';
+import { facesInwards, VertexNormals } from './normals';
+import { assignChannels, type Channel } from './region-channels';
+import { SurfaceGraph } from './surface-graph';
+import type { RegionPaint, ViewModel } from './types';
+import { ViewSpace } from './view-space';
+
+/** One model on the graphics card: places, normals and the fields its look is made of. */
+export class ModelView {
+  readonly geometry = new BufferGeometry();
+  readonly mesh: Mesh;
+  readonly space: ViewSpace;
+  readonly inwards: boolean;
+  readonly #normals: VertexNormals;
+  readonly #position: BufferAttribute;
+  readonly #normal: BufferAttribute;
+  #graph: SurfaceGraph | undefined;
+  readonly #masks = new WeakMap<Uint32Array, ReturnType<SurfaceGraph['softMask']>>();
+  readonly #touch = new WeakMap<Uint32Array, WeakMap<Uint32Array, boolean>>();
+
+  constructor(
+    readonly model: ViewModel,
+    material: Material,
+  ) {
+    const count = model.positions.length / 3;
+    this.space = ViewSpace.around(model);
+    this.posed = model.positions;
+    this.#position = new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
+    this.#normal = new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
+    this.geometry.setIndex(new BufferAttribute(model.triangles, 1));
+    this.geometry.setAttribute('position', this.#position);
+    this.geometry.setAttribute('normal', this.#normal);
+    for (const name of ['regionsLow', 'regionsHigh']) {
+      this.geometry.setAttribute(name, new BufferAttribute(new Uint8Array(4 * count), 4, true));
+    }
+    if (model.colors) this.geometry.setAttribute('paint', new BufferAttribute(model.colors, 4, true));
+    this.#normals = new VertexNormals(model.triangles, model.welded);
+    this.mesh = new Mesh(this.geometry, material);
+    // The drawn size is known, and live deformation must not wait for new bounds.
+    this.geometry.boundingSphere = new Sphere(new Vector3(), 4);
+    this.mesh.frustumCulled = false;
+    this.mesh.castShadow = true;
+    this.mesh.receiveShadow = true;
+    this.setPositions(model.positions);
+    this.inwards = facesInwards(this.#position.array as Float32Array, model.triangles);
+  }
+
+  /** Places as now shown, model space. */
+  posed: Float64Array;
+
+  get graph(): SurfaceGraph {
+    this.#graph ??= new SurfaceGraph(this.model.triangles, this.model.welded);
+    return this.#graph;
+  }
+
+  setPositions(positions: Float64Array): void {
+    this.posed = positions;
+    this.space.place(positions, this.#position.array as Float32Array);
+    this.#normals.compute(this.#position.array as Float32Array, this.#normal.array as Float32Array);
+    this.#position.needsUpdate = true;
+    this.#normal.needsUpdate = true;
+  }
+
+  /** @returns what each channel now holds, for the material's colours */
+  setRegions(regions: readonly RegionPaint[]): Channel[] {
+    const channels = assignChannels(regions, (a, b) => this.#touching(a.vertices, b.vertices));
+    const low = this.geometry.getAttribute('regionsLow') as BufferAttribute;
+    const high = this.geometry.getAttribute('regionsHigh') as BufferAttribute;
+    for (const attribute of [low, high]) {
+      (attribute.array as Uint8Array).fill(0);
+      attribute.needsUpdate = true;
+    }
+    channels.forEach((channel, index) => {
+      const array = (index < 4 ? low : high).array as Uint8Array;
+      for (const region of channel.regions) {
+        const { vertices, values } = this.#mask(region.vertices);
+        for (let i = 0; i < vertices.length; i++) {
+          const at = 4 * vertices[i]! + (index % 4);
+          array[at] = Math.max(array[at]!, Math.round(255 * values[i]!));
+        }
+      }
+    });
+    return channels;
+  }
+
+  setHeat(values: Float32Array, [low, high]: readonly [number, number]): void {
+    const attribute =
+      (this.geometry.getAttribute('heat') as BufferAttribute | undefined) ??
+      new BufferAttribute(new Float32Array(values.length), 1).setUsage(DynamicDrawUsage);
+    const span = high > low ? 1 / (high - low) : 0;
+    const array = attribute.array as Float32Array;
+    for (let v = 0; v < array.length; v++) array[v] = ((values[v] ?? 0) - low) * span;
+    attribute.needsUpdate = true;
+    this.geometry.setAttribute('heat', attribute);
+  }
+
+  /** Bounding sphere of the posed vertices (or some of them), in drawn units. */
+  bounds(vertices?: Uint32Array): Sphere {
+    const positions = this.#position;
+    const low = new Vector3(Infinity, Infinity, Infinity);
+    const high = low.clone().negate();
+    const at = new Vector3();
+    const count = vertices?.length ?? positions.count;
+    for (let i = 0; i < count; i++) {
+      at.fromBufferAttribute(positions, vertices ? vertices[i]! : i);
+      low.min(at);
+      high.max(at);
+    }
+    if (count === 0) return new Sphere(new Vector3(), 1);
+    const centre = low.clone().add(high).multiplyScalar(0.5);
+    let radius = 0;
+    for (let i = 0; i < count; i++) {
+      at.fromBufferAttribute(positions, vertices ? vertices[i]! : i);
+      radius = Math.max(radius, at.distanceTo(centre));
+    }
+    return new Sphere(centre, radius);
+  }
+
+  dispose(): void {
+    this.geometry.dispose();
+  }
+
+  #mask(set: Uint32Array): ReturnType<SurfaceGraph['softMask']> {
+    let mask = this.#masks.get(set);
+    if (!mask) {
+      mask = this.graph.softMask(set);
+      this.#masks.set(set, mask);
+    }
+    return mask;
+  }
+
+  #touching(a: Uint32Array, b: Uint32Array): boolean {
+    const known = this.#touch.get(a)?.get(b);
+    if (known !== undefined) return known;
+    const answer = this.graph.touching(a, b);
+    if (!this.#touch.has(a)) this.#touch.set(a, new WeakMap());
+    this.#touch.get(a)!.set(b, answer);
+    return answer;
+  }
+}

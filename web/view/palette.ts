@@ -1,0 +1,79 @@
+// The viewport's colours: LOOK's tokens, and the few tones only a picture needs.
+
+import type { RegionPaint } from './types';
+
+export interface Palette {
+  /** Background gradient, top to bottom. */
+  readonly sky: string;
+  readonly floor: string;
+  readonly grid: string;
+  /** Strength of the grid's lines and of the shadows on the ground, 0–1. */
+  readonly gridStrength: number;
+  readonly shadowStrength: number;
+  readonly wire: string;
+  readonly wireStrength: number;
+  readonly text: string;
+  readonly muted: string;
+  readonly panel: string;
+  readonly line: string;
+  readonly warn: string;
+  readonly bad: string;
+  readonly regions: Readonly<Record<RegionPaint['kind'], string>>;
+  /** x, y, z. */
+  readonly axes: readonly [string, string, string];
+}
+
+export const CLAY = '#c9b9a8';
+/** The inside of an open surface. */
+export const INTERIOR = '#7d4438';
+
+export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
+  dark: {
+    sky: '#2a2f37',
+    floor: '#15171a',
+    grid: '#98a2ae',
+    gridStrength: 0.2,
+    shadowStrength: 0.62,
+    wire: '#14161a',
+    wireStrength: 0.42,
+    text: '#e7eaee',
+    muted: '#98a2ae',
+    panel: '#1d2025',
+    line: '#343a43',
+    warn: '#f0a843',
+    bad: '#ff6b6b',
+    regions: {
+      roi: '#4f8cff',
+      handle: '#a566ff',
+      source: '#e5534b',
+      feature: '#e3b341',
+      target: '#4f8cff',
+      scalp: '#4cc38a',
+    },
+    axes: ['#e8636b', '#7fbf5a', '#5b93f5'],
+  },
+  light: {
+    sky: '#f7f8fa',
+    floor: '#d9dde3',
+    grid: '#5b6672',
+    gridStrength: 0.26,
+    shadowStrength: 0.4,
+    wire: '#1b1f24',
+    wireStrength: 0.4,
+    text: '#1b1f24',
+    muted: '#5b6672',
+    panel: '#ffffff',
+    line: '#d6dbe1',
+    warn: '#b36b00',
+    bad: '#d33a3a',
+    regions: {
+      roi: '#2f6fe4',
+      handle: '#8640e6',
+      source: '#ce4b44',
+      feature: '#cca13b',
+      target: '#477ee6',
+      scalp: '#1f9d63',
+    },
+    axes: ['#d2434c', '#4f9130', '#3a70dc'],
+  },
+};

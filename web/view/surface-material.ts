@@ -1,0 +1,135 @@
+import {
+  Color,
+  DataTexture,
+  DoubleSide,
+  type IUniform,
+  LinearFilter,
+  type Material,
+  MeshMatcapMaterial,
+  MeshStandardMaterial,
+  SRGBColorSpace,
+  Vector3,
+  Vector4,
+  type WebGLProgramParametersWithUniforms,
+} from 'three';
+import { heatTexels } from './heat';
+import { matcapTexture } from './matcaps';
+import { CLAY, INTERIOR, type Palette } from './palette';
+import { CHANNELS, type Channel } from './region-channels';
+import {
+  FRAGMENT_COLOUR,
+  FRAGMENT_DECLARATIONS,
+  FRAGMENT_OVERLAY,
+  VERTEX_BODY,
+  VERTEX_DECLARATIONS,
+} from './surface-glsl';
+import type { DisplayOptions } from './types';
+
+const each = <T>(make: () => T): T[] => Array.from({ length: CHANNELS }, make);
+
+/** The looks a surface can have, with one set of uniforms between them. */
+export class SurfaceMaterials {
+  readonly #heatMap = new DataTexture(heatTexels(256), 256, 1);
+  readonly #made = new Map<DisplayOptions['shading'], Material>();
+
+  readonly uniforms = {
+    regionFill: { value: each(() => new Vector4()) },
+    regionLine: { value: each(() => new Vector4()) },
+    regionWidth: { value: each(() => 0) },
+    regionCount: { value: 0 },
+    pixelRatio: { value: 1 },
+    heatShown: { value: false },
+    heatMap: { value: this.#heatMap },
+    paintShown: { value: false },
+    interior: { value: new Color(INTERIOR) },
+    inwards: { value: false },
+    brushCentre: { value: new Vector3() },
+    brushNormal: { value: new Vector3(0, 1, 0) },
+    brushSide: { value: new Vector3(1, 0, 0) },
+    brushColour: { value: new Vector3(1, 1, 1) },
+    brushRadius: { value: 0 },
+    brushDashed: { value: false },
+  };
+
+  constructor() {
+    this.#heatMap.colorSpace = SRGBColorSpace;
+    this.#heatMap.magFilter = LinearFilter;
+    this.#heatMap.minFilter = LinearFilter;
+    this.#heatMap.needsUpdate = true;
+  }
+
+  of(shading: DisplayOptions['shading'], smooth: boolean): Material {
+    const material = this.#made.get(shading) ?? this.#make(shading);
+    this.#made.set(shading, material);
+    const lit = material as MeshStandardMaterial | MeshMatcapMaterial;
+    if (lit.flatShading === smooth) {
+      lit.flatShading = !smooth;
+      lit.needsUpdate = true;
+    }
+    return material;
+  }
+
+  setChannels(channels: readonly Channel[], palette: Palette): void {
+    const { regionFill, regionLine, regionWidth, regionCount } = this.uniforms;
+    regionCount.value = channels.length;
+    for (let i = 0; i < CHANNELS; i++) {
+      const channel = channels[i];
+      regionFill.value[i]!.set(0, 0, 0, 0);
+      regionLine.value[i]!.set(0, 0, 0, 0);
+      if (!channel) continue;
+      const fill = new Color(palette.regions[channel.kind]);
+      const line = display(palette.regions[channel.kind]);
+      const strength = channel.kind === 'roi' || channel.kind === 'scalp' ? 0.34 : 0.62;
+      regionFill.value[i]!.set(fill.r, fill.g, fill.b, channel.selected ? strength + 0.16 : strength);
+      if (channel.selected) line.lerp(new Vector3(1, 1, 1), 0.55);
+      regionLine.value[i]!.set(line.x, line.y, line.z, 1);
+      regionWidth.value[i] = channel.selected ? 2 : 1.5;
+    }
+  }
+
+  setBrushColour(colour: string): void {
+    this.uniforms.brushColour.value.copy(display(colour));
+  }
+
+  dispose(): void {
+    for (const material of this.#made.values()) {
+      if (material instanceof MeshMatcapMaterial) material.matcap?.dispose();
+      material.dispose();
+    }
+    this.#heatMap.dispose();
+  }
+
+  #make(shading: DisplayOptions['shading']): Material {
+    const common = { side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    const material =
+      shading === 'clay' || shading === 'vertex-colours'
+        ? new MeshStandardMaterial({ ...common, color: CLAY, roughness: 0.65, metalness: 0 })
+        : new MeshMatcapMaterial({ ...common, matcap: matcapTexture(shading) });
+    material.toneMapped = !(material instanceof MeshMatcapMaterial);
+    material.onBeforeCompile = (shader) => this.#extend(shader);
+    return material;
+  }
+
+  #extend(shader: WebGLProgramParametersWithUniforms): void {
+    Object.assign(shader.uniforms, this.uniforms as Record<string, IUniform>);
+    shader.vertexShader = VERTEX_DECLARATIONS + after(shader.vertexShader, 'begin_vertex', VERTEX_BODY);
+    shader.fragmentShader =
+      FRAGMENT_DECLARATIONS +
+      after(
+        after(shader.fragmentShader, 'color_fragment', FRAGMENT_COLOUR),
+        'colorspace_fragment',
+        FRAGMENT_OVERLAY,
+      );
+  }
+}
+
+function after(source: string, chunk: string, addition: string): string {
+  const include = `#include <${chunk}>`;
+  return source.replace(include, `${include}\n${addition}`);
+}
+
+/** A CSS colour as the screen shows it, untouched by linear light. */
+function display(css: string): Vector3 {
+  const { r, g, b } = new Color(css).convertLinearToSRGB();
+  return new Vector3(r, g, b);
+}

@@ -1,0 +1,483 @@
+import {
+  AgXToneMapping,
+  Mesh,
+  PCFShadowMap,
+  Plane,
+  PlaneGeometry,
+  type Ray,
+  Scene,
+  ShadowMaterial,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
+import { LissomError } from '../core/errors';
+import { Background } from './background';
+import { CameraRig } from './camera-rig';
+import { ContactShadow } from './contact-shadow';
+import { Gizmo } from './gizmo';
+import { Grid } from './grid';
+import { Markers } from './markers';
+import { ModelView } from './model-view';
+import { OrientationWidget, type ViewLabels } from './orientation-widget';
+import { PALETTES, type Palette } from './palette';
+import { Picker } from './picking';
+import { type NavigationOptions, PointerInput } from './pointer-input';
+import { Studio } from './studio';
+import { SurfaceMaterials } from './surface-material';
+import type {
+  CameraState,
+  DisplayOptions,
+  GizmoEvents,
+  GizmoState,
+  Hit,
+  PointerHandler,
+  PointMarker,
+  RegionPaint,
+  Vec3,
+  ViewModel,
+  ViewPreset,
+  ViewportPort,
+} from './types';
+import { ViewSpace } from './view-space';
+import { Wireframe } from './wireframe';
+
+export interface ViewportOptions {
+  /** Gives the size and takes the orientation widget; must be positioned. The canvas's parent by default. */
+  readonly container?: HTMLElement;
+  /** For tests: no antialiasing, one pixel a pixel, no motion. */
+  readonly test?: boolean;
+  /** Names of the views for screen readers. */
+  readonly labels?: ViewLabels;
+}
+
+/** Fingers and pens are less exact than this many CSS pixels. */
+const MARKER_REACH = 14;
+const DEFAULT_DISPLAY: DisplayOptions = {
+  shading: 'clay',
+  smooth: true,
+  wireframe: false,
+  grid: true,
+  theme: 'dark',
+};
+
+/** The picture and the pointers over it. Draws only when something has changed. */
+export class Viewport implements ViewportPort {
+  readonly #renderer: WebGLRenderer;
+  readonly #scene = new Scene();
+  readonly #rig = new CameraRig();
+  readonly #studio: Studio;
+  readonly #materials = new SurfaceMaterials();
+  readonly #background = new Background();
+  readonly #grid = new Grid();
+  readonly #contact = new ContactShadow();
+  readonly #shade = new Mesh(new PlaneGeometry(12, 12), new ShadowMaterial({ depthWrite: false }));
+  readonly #markers = new Markers();
+  readonly #gizmo: Gizmo;
+  readonly #widget: OrientationWidget;
+  readonly #input: PointerInput;
+  readonly #resizes: ResizeObserver;
+  readonly #stop = new AbortController();
+
+  #view: ModelView | undefined;
+  #picker: Picker | undefined;
+  #wireframe: Wireframe | undefined;
+  #regions: readonly RegionPaint[] = [];
+  #display = DEFAULT_DISPLAY;
+  #ground = -1;
+  #shadowsStale = true;
+  #frame = 0;
+  #lastFrame = 0;
+  #times: number[] = [];
+  #idle: ReturnType<typeof setTimeout> | undefined;
+
+  /** @throws LissomError  `webgl-missing`: no WebGL 2 */
+  constructor(
+    private readonly canvas: HTMLCanvasElement,
+    private readonly options: ViewportOptions = {},
+  ) {
+    this.#renderer = rendererFor(canvas, options);
+    const container = options.container ?? canvas.parentElement ?? document.body;
+    Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
+    this.#studio = new Studio(this.#renderer);
+    this.#scene.environment = this.#studio.environment();
+    this.#shade.rotation.x = -Math.PI / 2;
+    this.#shade.receiveShadow = true;
+    this.#shade.renderOrder = -15;
+    this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, ViewSpace.identity, () => this.#redraw());
+    this.#widget = new OrientationWidget((preset) => this.setView(preset), options.labels);
+    container.append(this.#widget.element);
+    this.#scene.add(
+      this.#background.mesh,
+      this.#contact.mesh,
+      this.#shade,
+      this.#grid.mesh,
+      this.#studio.lights,
+      this.#markers.group,
+    );
+    this.#input = new PointerInput(canvas, {
+      rig: this.#rig,
+      gizmo: this.#gizmo,
+      pick: (x, y) => this.pick(x, y),
+      changed: () => this.#redraw(),
+    });
+    this.#followMotionPreference();
+    canvas.addEventListener('webglcontextrestored', () => this.#restore(), { signal: this.#stop.signal });
+    this.#resizes = new ResizeObserver(() => this.#resize(container));
+    this.#resizes.observe(container);
+    this.#resize(container);
+    this.setDisplay(DEFAULT_DISPLAY);
+  }
+
+  setModel(model: ViewModel | null, options: { readonly keepCamera?: boolean } = {}): void {
+    this.#forgetModel();
+    if (model && model.positions.length > 0) {
+      const view = new ModelView(model, this.#materials.of(this.#display.shading, this.#display.smooth));
+      this.#view = view;
+      this.#picker = new Picker(view);
+      this.#materials.uniforms.inwards.value = view.inwards;
+      this.#scene.add(view.mesh);
+      this.#ground = lowest(view) - 0.004;
+    }
+    this.#grid.place(this.#space, this.#ground);
+    this.#shade.position.y = this.#ground;
+    this.setRegions([]);
+    this.setMarkers([]);
+    this.setHeat(null);
+    this.setBrush(null);
+    this.setGizmo(null);
+    this.setDisplay(this.#display);
+    this.#shadowsStale = true;
+    if (!options.keepCamera) {
+      this.#rig.look('home');
+      this.fit();
+      this.#rig.jump();
+    }
+    const picker = this.#picker;
+    if (picker && !this.options.test) this.#idle = setTimeout(() => picker.prepare(), 60);
+  }
+
+  setPositions(positions: Float64Array): void {
+    if (!this.#view) return;
+    this.#view.setPositions(positions);
+    // Software rendering in tests cannot afford the shadow at every step.
+    if (!this.options.test) this.#shadowsStale = true;
+    this.#redraw();
+  }
+
+  settlePositions(): void {
+    this.#picker?.settle();
+    this.#shadowsStale = true;
+    this.#redraw();
+  }
+
+  setRegions(regions: readonly RegionPaint[]): void {
+    this.#regions = regions;
+    this.#materials.setChannels(this.#view?.setRegions(regions) ?? [], this.#palette);
+    this.#redraw();
+  }
+
+  setMarkers(markers: readonly PointMarker[]): void {
+    this.#markers.set(markers, this.#space);
+    this.#redraw();
+  }
+
+  setHeat(heat: { readonly values: Float32Array; readonly range: readonly [number, number] } | null): void {
+    this.#materials.uniforms.heatShown.value = heat !== null;
+    if (heat) this.#view?.setHeat(heat.values, heat.range);
+    this.#redraw();
+  }
+
+  setDisplay(options: DisplayOptions): void {
+    this.#display = options;
+    const palette = this.#palette;
+    if (this.#view) this.#view.mesh.material = this.#materials.of(options.shading, options.smooth);
+    this.#materials.uniforms.paintShown.value =
+      options.shading === 'vertex-colours' && this.#view?.model.colors !== undefined;
+    if (this.#view) this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
+    for (const part of [this.#background, this.#grid, this.#markers, this.#gizmo, this.#widget]) {
+      part.setPalette(palette);
+    }
+    this.#contact.setStrength(palette.shadowStrength);
+    this.#shade.material.opacity = 0.32 * palette.shadowStrength;
+    this.#grid.mesh.visible = options.grid;
+    this.#contact.mesh.visible = this.#view !== undefined;
+    this.#showWireframe(options.wireframe, palette);
+    this.#redraw();
+  }
+
+  setBrush(brush: { readonly hit: Hit; readonly radius: number; readonly erase: boolean } | null): void {
+    const { brushCentre, brushNormal, brushSide, brushRadius, brushDashed } = this.#materials.uniforms;
+    if (!brush && brushRadius.value === 0) return;
+    brushRadius.value = brush ? brush.radius * this.#space.scale : 0;
+    if (brush) {
+      this.#space.toView(brush.hit.point, brushCentre.value);
+      const normal = this.#space.directionToView(brush.hit.normal, brushNormal.value);
+      const apart = Math.abs(normal.y) < 0.9 ? new Vector3(0, 1, 0) : new Vector3(1, 0, 0);
+      brushSide.value.crossVectors(apart, normal).normalize();
+      brushDashed.value = brush.erase;
+      this.#materials.setBrushColour(brush.erase ? this.#palette.bad : '#ffffff');
+    }
+    this.#redraw();
+  }
+
+  setGizmo(gizmo: GizmoState | null, events?: GizmoEvents): void {
+    this.#gizmo.set(gizmo, events, this.#space);
+    this.#redraw();
+  }
+
+  get gizmoBusy(): boolean {
+    return this.#gizmo.busy;
+  }
+
+  pick(x: number, y: number): Hit | null {
+    return this.#picker?.pick(this.#rig.ray(x, y)) ?? null;
+  }
+
+  pickMarker(x: number, y: number): string | null {
+    return this.#markers.pick(x, y, MARKER_REACH, this.#space, (place) => this.#onScreen(place));
+  }
+
+  verticesWithin(hit: Hit, radius: number): Uint32Array {
+    return this.#picker?.verticesWithin(hit, radius) ?? new Uint32Array();
+  }
+
+  pointOnScreenPlane(x: number, y: number, through: Vec3): Vec3 {
+    const facing = this.#rig.camera.getWorldDirection(new Vector3());
+    const plane = new Plane().setFromNormalAndCoplanarPoint(facing, this.#space.toView(through));
+    const ray: Ray = this.#rig.ray(x, y);
+    const met = ray.intersectPlane(plane, new Vector3());
+    return met ? this.#space.toModel(met) : through;
+  }
+
+  project(point: Vec3): { readonly x: number; readonly y: number; readonly behind: boolean } {
+    const { x, y, z } = this.#onScreen(this.#space.toView(point));
+    return { x, y, behind: z < 0 };
+  }
+
+  pixelSize(point: Vec3): number {
+    return this.#rig.pixelSize(this.#space.toView(point)) / this.#space.scale;
+  }
+
+  fit(vertices?: Uint32Array): void {
+    const ball = this.#view?.bounds(vertices);
+    if (ball) {
+      ball.radius = Math.max(ball.radius, 0.02);
+      this.#rig.frame(ball);
+    }
+    this.#redraw();
+  }
+
+  setView(preset: ViewPreset): void {
+    this.#rig.look(preset);
+    if (preset === 'home') this.fit();
+    this.#redraw();
+  }
+
+  get camera(): CameraState {
+    return {
+      position: this.#space.toModel(this.#rig.position),
+      target: this.#space.toModel(this.#rig.target),
+      orthographic: this.#rig.orthographic,
+    };
+  }
+
+  set camera(state: CameraState) {
+    this.#rig.setOrthographic(state.orthographic);
+    this.#rig.standAt(this.#space.toView(state.position), this.#space.toView(state.target));
+    this.#gizmo.setCamera(this.#rig.camera);
+    this.#redraw();
+  }
+
+  setPointerHandler(handler: PointerHandler | null): void {
+    if (this.#input.handler && this.#input.handler !== handler) this.#input.cancel();
+    this.#input.handler = handler;
+  }
+
+  /** How trackpads and palms are understood; the defaults suit a mouse and a pen. */
+  setNavigation(options: Partial<NavigationOptions>): void {
+    this.#input.navigation = { ...this.#input.navigation, ...options };
+  }
+
+  get frameRate(): number {
+    const now = performance.now();
+    return this.#times.filter((time) => now - time < 1000).length;
+  }
+
+  async screenshot(width: number, height: number): Promise<Blob> {
+    const { width: w, height: h } = this.#rig.size;
+    const copy = document.createElement('canvas');
+    copy.width = width;
+    copy.height = height;
+    const { brushRadius } = this.#materials.uniforms;
+    const brush = brushRadius.value;
+    brushRadius.value = 0;
+    this.#gizmo.visible = false;
+    this.#size(width, height, 1);
+    this.#draw();
+    // Within the same task the drawing buffer still holds the picture, and nobody sees the detour.
+    copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
+    brushRadius.value = brush;
+    this.#gizmo.visible = true;
+    this.#size(w, h, this.#pixelRatio);
+    this.#draw();
+    const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
+    if (!blob)
+      throw new LissomError('screenshot-failed', 'The picture could not be made. Try a smaller size.');
+    return blob;
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.#frame);
+    this.#stop.abort();
+    this.#resizes.disconnect();
+    this.#input.dispose();
+    this.#forgetModel();
+    for (const part of [
+      this.#gizmo,
+      this.#widget,
+      this.#markers,
+      this.#background,
+      this.#grid,
+      this.#contact,
+      this.#studio,
+      this.#materials,
+      this.#shade.geometry,
+      this.#shade.material,
+      this.#renderer,
+    ]) {
+      part.dispose();
+    }
+  }
+
+  get #space(): ViewSpace {
+    return this.#view?.space ?? ViewSpace.identity;
+  }
+
+  get #palette(): Palette {
+    return PALETTES[this.#display.theme];
+  }
+
+  get #pixelRatio(): number {
+    return this.options.test ? 1 : Math.min(2, window.devicePixelRatio || 1);
+  }
+
+  #forgetModel(): void {
+    clearTimeout(this.#idle);
+    this.#showWireframe(false, this.#palette);
+    this.#view?.mesh.removeFromParent();
+    this.#view?.dispose();
+    this.#view = undefined;
+    this.#picker = undefined;
+  }
+
+  #showWireframe(shown: boolean, palette: Palette): void {
+    if (shown && this.#view && !this.#wireframe) {
+      this.#wireframe = new Wireframe(this.#view);
+      this.#scene.add(this.#wireframe.lines);
+    }
+    if (!shown && this.#wireframe) {
+      this.#wireframe.lines.removeFromParent();
+      this.#wireframe.dispose();
+      this.#wireframe = undefined;
+    }
+    this.#wireframe?.setPalette(palette);
+  }
+
+  #onScreen(place: Vector3): Vector3 {
+    const { width, height } = this.#rig.size;
+    const depth = place.clone().applyMatrix4(this.#rig.camera.matrixWorldInverse).z;
+    const { x, y } = place.clone().project(this.#rig.camera);
+    return new Vector3(((x + 1) / 2) * width, ((1 - y) / 2) * height, -depth);
+  }
+
+  #followMotionPreference(): void {
+    const still = window.matchMedia('(prefers-reduced-motion: reduce)');
+    const follow = (): void => {
+      this.#rig.soft = !still.matches && !this.options.test;
+    };
+    still.addEventListener('change', follow, { signal: this.#stop.signal });
+    follow();
+  }
+
+  #resize(container: HTMLElement): void {
+    const { clientWidth, clientHeight } = container;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.#size(clientWidth, clientHeight, this.#pixelRatio);
+    // At once, for a resized canvas is empty until it is drawn.
+    this.#draw();
+  }
+
+  #size(width: number, height: number, pixelRatio: number): void {
+    this.#renderer.setPixelRatio(pixelRatio);
+    this.#renderer.setSize(width, height, false);
+    this.#materials.uniforms.pixelRatio.value = pixelRatio;
+    this.#markers.setPixelRatio(pixelRatio);
+    this.#rig.resize(width, height);
+  }
+
+  #restore(): void {
+    this.#scene.environment = this.#studio.environment();
+    this.#shadowsStale = true;
+    this.#redraw();
+  }
+
+  #redraw(): void {
+    if (this.#frame === 0 && !this.#stop.signal.aborted) {
+      this.#frame = requestAnimationFrame((now) => this.#tick(now));
+    }
+  }
+
+  #tick(now: number): void {
+    this.#frame = 0;
+    // After a rest the first step counts as one ordinary frame.
+    const elapsed = now - this.#lastFrame < 100 ? now - this.#lastFrame : 16;
+    this.#lastFrame = now;
+    if (this.#rig.advance(elapsed)) this.#redraw();
+    this.#draw();
+    this.#times = [...this.#times.filter((time) => now - time < 1000), now];
+  }
+
+  #draw(): void {
+    if (this.#renderer.getContext().isContextLost()) return;
+    if (this.#shadowsStale && this.#view) {
+      this.#contact.update(this.#renderer, this.#view.geometry, this.#ground);
+      this.#renderer.shadowMap.needsUpdate = true;
+      this.#shadowsStale = false;
+    }
+    const { camera } = this.#rig;
+    this.#gizmo.setCamera(camera);
+    this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
+    this.#renderer.render(this.#scene, camera);
+    this.#widget.update(camera, this.#space);
+  }
+}
+
+function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGLRenderer {
+  let renderer: WebGLRenderer;
+  try {
+    renderer = new WebGLRenderer({
+      canvas,
+      antialias: !options.test,
+      powerPreference: 'high-performance',
+    });
+  } catch {
+    throw new LissomError(
+      'webgl-missing',
+      'This browser offers no WebGL 2. Switch hardware acceleration on in its settings, or use another browser.',
+      'crash',
+    );
+  }
+  renderer.toneMapping = AgXToneMapping;
+  renderer.toneMappingExposure = 1.25;
+  renderer.shadowMap.enabled = true;
+  renderer.shadowMap.autoUpdate = false;
+  renderer.shadowMap.type = PCFShadowMap;
+  return renderer;
+}
+
+function lowest(view: ModelView): number {
+  const position = view.geometry.getAttribute('position');
+  let low = Infinity;
+  for (let v = 0; v < position.count; v++) low = Math.min(low, position.getY(v));
+  return low;
+}
