@@ -1,40 +1,23 @@
 // Builds wasm/dist/kernel.{mjs,wasm}, only when something under wasm/ or the compiler has changed.
 // Usage: node scripts/wasm.mjs [--force]
 
-import { spawnSync } from 'node:child_process';
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { availableParallelism } from 'node:os';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
+import { cmakeBuild } from './lib/cmake.mjs';
 import { emscripten } from './lib/emscripten.mjs';
 import { fingerprint } from './lib/fingerprint.mjs';
 import { withLock } from './lib/lock.mjs';
-import { onPath, root } from './lib/system.mjs';
+import { root } from './lib/system.mjs';
 
 const dist = path.join(root, 'wasm/dist');
 const build = path.join(root, 'build/wasm');
 const stamp = path.join(dist, 'built-from');
 
-/** Configures build/wasm if need be and builds `target` there. @throws if it fails */
+/** Builds `target` in build/wasm. @throws if it fails */
 export function buildWithEmscripten(target) {
-  const { env, toolchain } = emscripten();
-  const run = (args) => {
-    const { status } = spawnSync('cmake', args, { cwd: root, env, stdio: 'inherit' });
-    if (status !== 0) throw new Error(`cmake ${args.join(' ')} failed`);
-  };
-  if (!existsSync(path.join(build, 'CMakeCache.txt'))) {
-    const generator = onPath('ninja') ? ['-G', 'Ninja'] : [];
-    run([
-      '-S',
-      'wasm',
-      '-B',
-      build,
-      ...generator,
-      `-DCMAKE_TOOLCHAIN_FILE=${toolchain}`,
-      '-DCMAKE_BUILD_TYPE=Release',
-    ]);
-  }
-  run(['--build', build, '--target', target, '--parallel', String(availableParallelism())]);
+  const { env, toolchain, version } = emscripten();
+  cmakeBuild(build, target, { env, settings: [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`], compiler: version });
 }
 
 /** @returns whether anything had to be built */

@@ -21,3 +21,7 @@ export function executable(file) {
     return false;
   }
 }
+
+/** A Chromium of the system's own: CHROMIUM_PATH, else Debian's. */
+export const chromium = () =>
+  [process.env.CHROMIUM_PATH, '/usr/bin/chromium'].find((file) => file && executable(file));
