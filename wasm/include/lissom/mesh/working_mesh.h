@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lissom/mesh/triangulate.h"
 #include "lissom/mesh/types.h"
 
 #include <Eigen/Geometry>
@@ -24,7 +25,8 @@ struct Finding {
 /// `working_of_source`, so what goes out has the topology that came in.
 struct WorkingMesh {
     TriangleMesh mesh;
-    std::vector<int> working_of_source;   ///< per source vertex; −1: unused or not finite, left alone
+    Points source; ///< n×3 source positions, bit for bit as given (NaN and all): what an edit leaves alone
+    std::vector<int> working_of_source;   ///< per source vertex; −1: in no working triangle, left alone
     std::vector<int> source_of_working;   ///< a representative (the first) source vertex per working vertex
     std::vector<int> polygon_of_triangle; ///< source face of each working triangle
     Triangles display;                    ///< every drawable triangle in SOURCE indices, faces in file order
@@ -34,7 +36,7 @@ struct WorkingMesh {
     int component_count = 0;
     int boundary_loop_count = 0;
     int euler_characteristic = 0;
-    bool oriented = true;   ///< triangles agree across every edge (after repair)
+    bool oriented = true;   ///< triangles agree across every edge of two (after repair)
     bool closed = true;     ///< no boundary edge
     std::vector<Finding> findings;
 
@@ -48,24 +50,22 @@ struct WorkingMesh {
 ///
 /// Findings (code: what is done): `non-finite-vertex` (left alone, its faces left out),
 /// `index-out-of-range` (face left out), `face-too-small` (fewer than three different corners, left out),
-/// `zero-area-face` (kept where its corners differ; collapsed where welding makes them equal),
-/// `duplicate-vertices` (exact equals welded), `near-duplicate-vertices` (within 1e-7 of the diagonal AND
-/// both on a boundary of the exactly welded mesh: welded), `duplicate-face` (left out),
-/// `unused-vertex` (left alone), `inconsistent-orientation` (turned in the working copy),
-/// `non-orientable` (tolerated), `non-manifold-edge`, `non-manifold-vertex` (tolerated),
-/// `several-components`, `open-boundary` (information), `far-from-origin` (moved in the working copy),
-/// `needle-face` (tolerated).
+/// `zero-area-face` (kept where its corners differ; collapsed, and then repaired, where welding makes them equal),
+/// `duplicate-vertices` (exact equals of an earlier vertex: welded), `near-duplicate-vertices` (within 1e-6 of the
+/// diagonal, both on a boundary of the exactly welded mesh, and with edges at least four times as long: welded),
+/// `duplicate-face` (same vertices as an earlier one: left out), `unused-vertex` (in no working triangle: left
+/// alone), `inconsistent-orientation` (faces turned in the working copy), `inside-out` (faces of closed components
+/// that faced inward: turned in the working copy), `non-orientable` (tolerated; one per one-sided piece),
+/// `non-manifold-edge` (examples are one end of each), `non-manifold-vertex` (tolerated), `several-components`,
+/// `open-boundary` (information; one example vertex each), `far-from-origin` (farther than a thousand diagonals:
+/// moved in the working copy), `needle-face` (lower than a thousandth of its longest side: tolerated).
+/// Each stands once, in this order.
 ///
-/// @throws InvalidInput `no-vertices`, `no-faces`, `no-usable-faces`, `zero-size`
+/// Centre and scale are those of the vertices that usable faces use, so that a stray one cannot shrink the model.
+/// Numbers are counted in the order of the source: renumbering the source renumbers the copy and no more.
+/// Cost: linear but for sorting the edges of one vertex; half a million triangles take well under a second.
+///
+/// @throws InvalidInput `no-vertices`, `no-faces`, `bad-offsets`, `no-usable-faces`, `zero-size`
 [[nodiscard]] WorkingMesh make_working_mesh(const PolygonMesh& source);
-
-/// The triangles of each polygon, in source indices: quads along their better diagonal, larger polygons by
-/// ear clipping in their best-fit plane; never fewer than k − 2 triangles for k different corners.
-/// Degenerate polygons and those with an index out of range or a non-finite corner give none.
-struct Triangulation {
-    Triangles triangles;
-    std::vector<int> polygon_of_triangle;
-};
-[[nodiscard]] Triangulation triangulate(const PolygonMesh& source);
 
 } // namespace lissom
