@@ -1,6 +1,7 @@
-import { LissomError } from '../core/errors';
 import type { Model, ModelFormat } from '../core/model';
 import { detectFormat, type FileFormat, FORMAT_NAMES, formatOfName } from './detect';
+import { readGltf } from './gltf-read';
+import { writeGltf } from './gltf-write';
 import { readObj } from './obj-read';
 import { writeObj } from './obj-write';
 import { readOff } from './off';
@@ -13,8 +14,8 @@ import { readStl, writeStl } from './stl';
  * Reads a model in any known format, by content before extension.
  *
  * @param fileName  with or without folder; the model's name is the part after it
- * @throws LissomError `file-empty`, `file-truncated`, `file-damaged`, `file-not-a-mesh`, `count-too-large`,
- *                     `format-unknown`, `format-unsupported`
+ * @throws LissomError `file-empty`, `file-truncated`, `file-damaged`, `file-incomplete`, `file-not-a-mesh`,
+ *                     `count-too-large`, `format-unknown`, `format-unsupported`
  */
 export function readModel(bytes: Uint8Array, fileName: string): ReadResult {
   const name = fileName.replace(/^.*[/\\]/, '');
@@ -39,20 +40,18 @@ function readAs(format: FileFormat, bytes: Uint8Array, name: string): ReadResult
       return readStl(bytes, name);
     case 'off':
       return readOff(bytes, name);
-    default:
-      throw unsupported(format);
+    case 'glb':
+    case 'gltf':
+      return readGltf(bytes, name, format === 'glb');
   }
 }
-
-const unsupported = (format: FileFormat) =>
-  new LissomError('format-unsupported', `${FORMAT_NAMES[format]} is not supported. Use OBJ or PLY.`);
 
 export interface WriteOptions {
   /** PLY and STL as text instead of binary. */
   readonly ascii?: boolean;
 }
 
-/** The bytes of a file in `format`, with the model's vertex order, polygons, colours, uvs and names. */
+/** The bytes of a file in `format`, with the model's vertex order, polygons, colours, uvs and names. @throws LissomError `nothing-to-export` */
 export function writeModel(model: Model, format: ModelFormat, options: WriteOptions = {}): Uint8Array {
   switch (format) {
     case 'obj':
@@ -61,7 +60,8 @@ export function writeModel(model: Model, format: ModelFormat, options: WriteOpti
       return writePly(model, options.ascii);
     case 'stl':
       return writeStl(model, options.ascii);
-    default:
-      throw unsupported(format);
+    case 'glb':
+    case 'gltf':
+      return writeGltf(model, format);
   }
 }

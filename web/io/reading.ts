@@ -35,6 +35,12 @@ export function checkAnnounced(file: string, what: string, needed: number, prese
   throw new LissomError('count-too-large', message);
 }
 
+/** A format of triangles and a model without a single usable one. */
+export function nothingToWrite({ name }: Model, format: string): LissomError {
+  const message = `${name} has no face with finite corners, and ${format} holds nothing else. Export it as PLY or OBJ.`;
+  return new LissomError('nothing-to-export', message);
+}
+
 function inBytes(count: number): string {
   for (const [unit, size] of [
     ['GB', 1e9],

@@ -6,7 +6,7 @@ import { groupRuns } from './group-runs';
 import { GrowingFloat64 } from './growing';
 import { faceNormal } from './normals';
 import { Notes } from './notes';
-import { checkAnnounced, type ReadResult } from './reading';
+import { checkAnnounced, nothingToWrite, type ReadResult } from './reading';
 import { decode, TextScanner } from './text-scanner';
 import { triangulate } from './triangulate';
 import { fromUnitComments, unitComments } from './units-comment';
@@ -178,6 +178,7 @@ function writeAscii(model: Model): Uint8Array {
 
 function facets(model: Model) {
   const { triangles: at, faces } = triangulate(model);
+  if (faces.length === 0) throw nothingToWrite(model, 'STL');
   const triangles = at.map((corner) => model.faceVertices[corner]!);
   const corners = (t: number, k: number) =>
     model.positions[3 * triangles[3 * t + Math.floor(k / 3)]! + (k % 3)]!;

@@ -1,0 +1,144 @@
+import { LissomError } from '../core/errors';
+import { entry, type GltfAccessor, type GltfDocument, gltfDamaged, refuseCompressed } from './gltf-document';
+import { checkAnnounced } from './reading';
+
+export const COMPONENTS: Readonly<Record<string, number>> = {
+  SCALAR: 1,
+  VEC2: 2,
+  VEC3: 3,
+  VEC4: 4,
+  MAT4: 16,
+};
+
+export const U8 = 5121;
+export const U16 = 5123;
+export const U32 = 5125;
+export const F32 = 5126;
+
+const BYTES: Readonly<Record<number, number>> = { 5120: 1, [U8]: 1, 5122: 2, [U16]: 2, [U32]: 4, [F32]: 4 };
+/** Largest value of each integer type: what normalised values are divided by. */
+const LARGEST: Readonly<Record<number, number>> = { 5120: 127, [U8]: 255, 5122: 32767, [U16]: 65535 };
+
+/**
+ * The numbers of an accessor, `count × components`, normalised and with sparse values put in.
+ *
+ * @throws LissomError `file-damaged`, `file-truncated`, `count-too-large`, `format-unsupported` (compressed)
+ */
+export function readAccessor(doc: GltfDocument, index: number): Float64Array {
+  const accessor = entry(doc, doc.json.accessors, index, 'accessor');
+  const { componentType, count, type, sparse } = accessor;
+  const components = COMPONENTS[type];
+  if (!components || !BYTES[componentType] || !(Number.isInteger(count) && count >= 0))
+    throw gltfDamaged(doc.file, `accessor ${index} has an unknown type or count`);
+  const source = accessor.bufferView === undefined ? undefined : locate(doc, index, accessor, components);
+  if (!source) {
+    // Zeros by definition: nothing in the file bounds their number, so this does.
+    const bytes = doc.buffers.reduce((sum, b) => sum + (b?.length ?? 0), 0);
+    checkAnnounced(doc.file, `${count} values`, count, 16 * bytes);
+  }
+  const out = source
+    ? readStrided(source, count, components, componentType)
+    : new Float64Array(count * components);
+  if (sparse) applySparse(doc, out, accessor, components);
+  if (accessor.normalized) normalise(out, componentType);
+  return out;
+}
+
+interface Source {
+  readonly view: DataView;
+  readonly stride: number;
+}
+
+function locate(doc: GltfDocument, index: number, accessor: GltfAccessor, components: number): Source {
+  const size = components * BYTES[accessor.componentType]!;
+  return locateView(
+    doc,
+    accessor.bufferView!,
+    accessor.byteOffset ?? 0,
+    accessor.count,
+    size,
+    `accessor ${index}`,
+  );
+}
+
+function locateView(
+  doc: GltfDocument,
+  viewIndex: number,
+  offset: number,
+  count: number,
+  size: number,
+  what: string,
+): Source {
+  const view = entry(doc, doc.json.bufferViews, viewIndex, 'buffer view');
+  const buffer = doc.buffers[view.buffer];
+  if (!buffer) throw bufferMissing(doc, view.buffer, view.extensions);
+  const start = (view.byteOffset ?? 0) + offset;
+  const stride = view.byteStride || size;
+  if (!(start >= 0 && stride > 0)) throw gltfDamaged(doc.file, `${what} begins before its buffer`);
+  const length = count === 0 ? 0 : stride * (count - 1) + size;
+  checkAnnounced(doc.file, `${count} values in ${what}`, start + length, buffer.length);
+  return { view: new DataView(buffer.buffer, buffer.byteOffset + start, length), stride };
+}
+
+function bufferMissing(doc: GltfDocument, index: number, extensions: object | undefined): LissomError {
+  refuseCompressed(Object.keys(extensions ?? {}), doc.file);
+  const { uri } = entry(doc, doc.json.buffers, index, 'buffer');
+  if (uri === undefined) return gltfDamaged(doc.file, `buffer ${index} is missing`);
+  const message =
+    `${doc.file} keeps its geometry in another file, “${uri}”, which is not at hand. ` +
+    'Export it as a single .glb, which holds everything.';
+  return new LissomError('file-incomplete', message);
+}
+
+function readStrided(
+  { view, stride }: Source,
+  count: number,
+  components: number,
+  type: number,
+): Float64Array {
+  const out = new Float64Array(count * components);
+  const size = BYTES[type]!;
+  const get = reader(view, type);
+  for (let i = 0, at = 0; i < count; i++)
+    for (let k = 0; k < components; k++) out[at++] = get(i * stride + k * size);
+  return out;
+}
+
+function reader(view: DataView, type: number): (at: number) => number {
+  switch (type) {
+    case F32:
+      return (at) => view.getFloat32(at, true);
+    case U32:
+      return (at) => view.getUint32(at, true);
+    case U16:
+      return (at) => view.getUint16(at, true);
+    case 5122:
+      return (at) => view.getInt16(at, true);
+    case U8:
+      return (at) => view.getUint8(at);
+    default:
+      return (at) => view.getInt8(at);
+  }
+}
+
+function applySparse(doc: GltfDocument, out: Float64Array, accessor: GltfAccessor, components: number): void {
+  const { count, indices, values } = accessor.sparse!;
+  const indexSize = BYTES[indices.componentType];
+  if (!indexSize || !(Number.isInteger(count) && count >= 0))
+    throw gltfDamaged(doc.file, 'a sparse accessor has an unknown type');
+  const valueSize = components * BYTES[accessor.componentType]!;
+  const at = locateView(doc, indices.bufferView, indices.byteOffset ?? 0, count, indexSize, 'sparse indices');
+  const from = locateView(doc, values.bufferView, values.byteOffset ?? 0, count, valueSize, 'sparse values');
+  const rows = readStrided(at, count, 1, indices.componentType);
+  const replacements = readStrided(from, count, components, accessor.componentType);
+  rows.forEach((row, i) => {
+    if (row >= accessor.count)
+      throw gltfDamaged(doc.file, `a sparse accessor replaces value ${row}, which is missing`);
+    out.set(replacements.subarray(i * components, (i + 1) * components), row * components);
+  });
+}
+
+function normalise(values: Float64Array, type: number): void {
+  const largest = LARGEST[type];
+  if (largest) for (let i = 0; i < values.length; i++) values[i] = Math.max(values[i]! / largest, -1);
+}

@@ -1,0 +1,171 @@
+import { LissomError } from '../core/errors';
+import { truncated } from './reading';
+import { decode } from './text-scanner';
+
+// glTF 2.0 as far as geometry is concerned (Khronos glTF 2.0 specification, section 5). Everything else in the
+// document is carried along unread.
+
+export interface GltfAccessor {
+  bufferView?: number;
+  byteOffset?: number;
+  componentType: number;
+  normalized?: boolean;
+  count: number;
+  type: string;
+  min?: number[];
+  max?: number[];
+  sparse?: {
+    count: number;
+    indices: { bufferView: number; byteOffset?: number; componentType: number };
+    values: { bufferView: number; byteOffset?: number };
+  };
+}
+
+export interface GltfBufferView {
+  buffer: number;
+  byteOffset?: number;
+  byteLength: number;
+  byteStride?: number;
+  target?: number;
+  extensions?: Record<string, unknown>;
+}
+
+export interface GltfPrimitive {
+  attributes: Record<string, number>;
+  indices?: number;
+  material?: number;
+  mode?: number;
+  targets?: Record<string, number>[];
+  /** `name`: the group's, where it is not the node's. */
+  extras?: { name?: string };
+  extensions?: Record<string, unknown>;
+}
+
+export interface GltfMesh {
+  name?: string;
+  primitives: GltfPrimitive[];
+}
+
+export interface GltfNode {
+  name?: string;
+  mesh?: number;
+  skin?: number;
+  children?: number[];
+  matrix?: number[];
+  translation?: number[];
+  rotation?: number[];
+  scale?: number[];
+  extensions?: Record<string, unknown>;
+}
+
+export interface GltfJson {
+  asset: { version: string; generator?: string };
+  scene?: number;
+  scenes?: { name?: string; nodes?: number[] }[];
+  nodes?: GltfNode[];
+  meshes?: GltfMesh[];
+  accessors?: GltfAccessor[];
+  bufferViews?: GltfBufferView[];
+  buffers?: { uri?: string; byteLength: number }[];
+  materials?: { name?: string }[];
+  skins?: { joints: number[]; inverseBindMatrices?: number }[];
+  animations?: { samplers?: { input: number; output: number }[] }[];
+  extensionsRequired?: string[];
+}
+
+/** The parsed document and its binary parts; a buffer that is not in the file is missing. */
+export interface GltfDocument {
+  readonly file: string;
+  readonly json: GltfJson;
+  readonly buffers: readonly (Uint8Array | undefined)[];
+}
+
+const JSON_CHUNK = 0x4e4f534a;
+const BIN_CHUNK = 0x004e4942;
+
+/** @throws LissomError `file-truncated`, `file-damaged`, `format-unsupported` */
+export function openGlb(bytes: Uint8Array, file: string): GltfDocument {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (bytes.length < 20) throw truncated(file, 20, bytes.length);
+  const version = view.getUint32(4, true);
+  if (version !== 2) {
+    const message = `${file} is glTF version ${version}; only version 2 can be read. Export it again as glTF 2.0.`;
+    throw new LissomError('format-unsupported', message);
+  }
+  const length = view.getUint32(8, true);
+  if (length > bytes.length) throw truncated(file, length, bytes.length);
+  let json: Uint8Array | undefined;
+  let binary: Uint8Array | undefined;
+  for (let at = 12; at + 8 <= length; ) {
+    const size = view.getUint32(at, true);
+    const type = view.getUint32(at + 4, true);
+    const end = at + 8 + size;
+    if (end > bytes.length) throw truncated(file, end, bytes.length);
+    if (type === JSON_CHUNK) json ??= bytes.subarray(at + 8, end);
+    else if (type === BIN_CHUNK) binary ??= bytes.subarray(at + 8, end);
+    at = end;
+  }
+  if (!json) throw gltfDamaged(file, 'it has no JSON part');
+  return openJson(json, file, binary);
+}
+
+/** @throws LissomError `file-damaged`, `format-unsupported` */
+export function openGltf(bytes: Uint8Array, file: string): GltfDocument {
+  return openJson(bytes, file, undefined);
+}
+
+export function gltfDamaged(file: string, what: string): LissomError {
+  const message = `${file} is not valid glTF: ${what}. Export it again from the program that made it.`;
+  return new LissomError('file-damaged', message);
+}
+
+/** `list[index]`, which a valid file has. */
+export function entry<T>(doc: GltfDocument, list: readonly T[] | undefined, index: number, what: string): T {
+  const found = list?.[index];
+  if (found === undefined || found === null)
+    throw gltfDamaged(doc.file, `it refers to ${what} ${index}, which is missing`);
+  return found;
+}
+
+function openJson(bytes: Uint8Array, file: string, binary: Uint8Array | undefined): GltfDocument {
+  let json: GltfJson;
+  try {
+    json = JSON.parse(decode(bytes)) as GltfJson;
+  } catch (error) {
+    throw gltfDamaged(file, `its JSON part cannot be read (${(error as Error).message})`);
+  }
+  if (!String(json?.asset?.version).startsWith('2.'))
+    throw new LissomError(
+      'format-unsupported',
+      `${file} is not glTF version 2, the only one that can be read. Export it again as glTF 2.0.`,
+    );
+  refuseCompressed(json.extensionsRequired ?? [], file);
+  const buffers = (json.buffers ?? []).map(({ uri }, i) => {
+    if (uri === undefined) return i === 0 ? binary : undefined;
+    return uri.startsWith('data:') ? fromDataUri(uri, file) : undefined;
+  });
+  return { file, json, buffers };
+}
+
+/** Compressed geometry cannot be unpacked here; the sentence says which, and what to do. */
+export function refuseCompressed(extensions: readonly string[], file: string): void {
+  const name = extensions.find((e) => /draco|meshopt_compression/i.test(e));
+  if (!name) return;
+  const kind = /draco/i.test(name) ? 'Draco' : 'meshopt';
+  const message = `${file} is compressed with ${kind}, which cannot be unpacked here. Export it again without compression.`;
+  throw new LissomError('format-unsupported', message);
+}
+
+function fromDataUri(uri: string, file: string): Uint8Array {
+  const comma = uri.indexOf(',');
+  try {
+    if (!uri.slice(0, comma).endsWith(';base64'))
+      return new TextEncoder().encode(decodeURIComponent(uri.slice(comma + 1)));
+    const text = atob(uri.slice(comma + 1));
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; i++) bytes[i] = text.charCodeAt(i);
+    return bytes;
+  } catch {
+    throw gltfDamaged(file, 'a buffer written into the file cannot be decoded');
+  }
+}

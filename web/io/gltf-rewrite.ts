@@ -1,0 +1,174 @@
+import type { Model } from '../core/model';
+import { determinant, invert, transformPoints } from './affine';
+import { ByteWriter } from './byte-writer';
+import { F32, readAccessor } from './gltf-accessors';
+import { writeNormal, writePositions } from './gltf-build';
+import type { GltfAccessor, GltfBufferView, GltfJson, GltfPrimitive } from './gltf-document';
+import type { GltfExtra, GltfPart } from './gltf-read';
+import { vertexNormals } from './normals';
+
+/**
+ * The document a model came from with its vertices where they are now. Parts whose vertices did not move keep every
+ * byte; of the others positions and normals are new, and tangents, which viewers can derive, are dropped.
+ */
+export function rewriteGltf(model: Model, extra: GltfExtra): { json: GltfJson; binary: Uint8Array } {
+  const parts = extra.parts.filter((part) => hasMoved(model, extra, part));
+  const rewriter = new Rewriter(model, extra, parts);
+  for (const part of parts) rewriter.rewrite(part);
+  return rewriter.finish();
+}
+
+class Rewriter {
+  readonly #json: GltfJson;
+  /** New bytes by buffer view. */
+  readonly #fresh = new Map<number, Uint8Array>();
+  readonly #viewUses = new Map<number, number>();
+  readonly #accessorUses = new Map<number, number>();
+
+  constructor(
+    readonly model: Model,
+    readonly extra: GltfExtra,
+    moved: readonly GltfPart[],
+  ) {
+    this.#json = structuredClone(extra.document.json);
+    this.#unshareMeshes(moved);
+    this.#countUses();
+  }
+
+  rewrite(part: GltfPart): void {
+    const inverse = invert(part.matrix);
+    if (!inverse) return;
+    const { first, count } = part;
+    const world = this.model.positions.subarray(3 * first, 3 * (first + count));
+    const local = transformPoints(inverse, world);
+    const mesh = this.#json.meshes![this.#json.nodes![part.node]!.mesh!]!;
+    const primitives = part.primitives.map((p) => mesh.primitives[p]!);
+    const all = Array.from({ length: count }, (_, v) => v);
+
+    const positions = new ByteWriter(12 * count);
+    const range = writePositions(positions, local, all, [0, 0, 0]);
+    const normalAccessor = primitives[0]!.attributes.NORMAL;
+    const normals = normalAccessor === undefined ? undefined : this.#normals(part, local, normalAccessor);
+    this.#replace(primitives, 'POSITION', positions.finish(), count, range);
+    if (normals) {
+      const out = new ByteWriter(12 * count);
+      for (const v of all) writeNormal(out, normals, v);
+      this.#replace(primitives, 'NORMAL', out.finish(), count, {});
+    }
+    for (const primitive of primitives) {
+      delete primitive.attributes.TANGENT;
+      delete primitive.extensions?.KHR_draco_mesh_compression;
+    }
+  }
+
+  finish(): { json: GltfJson; binary: Uint8Array } {
+    const { document } = this.extra;
+    const out = new ByteWriter(document.buffers.reduce((sum, b) => sum + (b?.length ?? 0), 1024));
+    const views = this.#json.bufferViews ?? [];
+    views.forEach((view, i) => {
+      const buffer = document.buffers[view.buffer];
+      const start = view.byteOffset ?? 0;
+      const bytes =
+        this.#fresh.get(i) ??
+        buffer?.subarray(start, start + view.byteLength) ??
+        new Uint8Array(view.byteLength);
+      out.align(4);
+      views[i] = { ...view, buffer: 0, byteOffset: out.length };
+      out.raw(bytes);
+    });
+    return { json: this.#json, binary: out.finish() };
+  }
+
+  /** A mesh that several nodes show is copied for those of them that moved, but for the last one left with it. */
+  #unshareMeshes(moved: readonly GltfPart[]): void {
+    const nodes = this.#json.nodes!;
+    const users = new Map<number, number>();
+    for (const { mesh } of nodes) if (mesh !== undefined) users.set(mesh, (users.get(mesh) ?? 0) + 1);
+    for (const index of new Set(moved.map((part) => part.node))) {
+      const node = nodes[index]!;
+      const mesh = node.mesh!;
+      if (users.get(mesh)! < 2) continue;
+      users.set(mesh, users.get(mesh)! - 1);
+      node.mesh = this.#json.meshes!.push(structuredClone(this.#json.meshes![mesh]!)) - 1;
+    }
+  }
+
+  #countUses(): void {
+    const use = (uses: Map<number, number>, index: number | undefined) => {
+      if (index !== undefined) uses.set(index, (uses.get(index) ?? 0) + 1);
+    };
+    for (const { primitives } of this.#json.meshes ?? [])
+      for (const { attributes, indices, targets } of primitives) {
+        for (const attribute of [attributes, ...(targets ?? [])])
+          for (const accessor of Object.values(attribute)) use(this.#accessorUses, accessor);
+        use(this.#accessorUses, indices);
+      }
+    for (const accessor of this.#json.accessors ?? []) use(this.#viewUses, accessor.bufferView);
+  }
+
+  /** New values for one attribute: in the old accessor's place where nobody else looks at it, otherwise beside it. */
+  #replace(
+    primitives: GltfPrimitive[],
+    name: string,
+    bytes: Uint8Array,
+    count: number,
+    range: Partial<GltfAccessor>,
+  ): void {
+    const accessors = this.#json.accessors!;
+    const old = primitives[0]!.attributes[name]!;
+    const alone = this.#accessorUses.get(old) === primitives.length;
+    const { bufferView, sparse } = accessors[old]!;
+    const viewAlone = alone && !sparse && bufferView !== undefined && this.#viewUses.get(bufferView) === 1;
+    const view: GltfBufferView = { buffer: 0, byteLength: bytes.length, target: 34962 };
+    const at = viewAlone ? bufferView : this.#json.bufferViews!.length;
+    this.#json.bufferViews![at] = view;
+    this.#fresh.set(at, bytes);
+    const accessor: GltfAccessor = { bufferView: at, componentType: F32, count, type: 'VEC3', ...range };
+    if (alone) accessors[old] = accessor;
+    else {
+      const index = accessors.push(accessor) - 1;
+      this.#accessorUses.set(old, this.#accessorUses.get(old)! - primitives.length);
+      for (const primitive of primitives) primitive.attributes[name] = index;
+    }
+  }
+
+  /** Smooth where the file was smooth: vertices that shared position and normal share their new normal. */
+  #normals(part: GltfPart, local: Float64Array, accessor: number): Float64Array {
+    const { first, count, matrix, faces } = part;
+    const before = this.extra.positions;
+    const old = readAccessor(this.extra.document, accessor);
+    const owner = new Uint32Array(count);
+    const owners = new Map<string, number>();
+    for (let v = 0; v < count; v++) {
+      const p = 3 * (first + v);
+      const key = `${before[p]},${before[p + 1]},${before[p + 2]},${old[3 * v]},${old[3 * v + 1]},${old[3 * v + 2]}`;
+      const known = owners.get(key);
+      owner[v] = known ?? v;
+      if (known === undefined) owners.set(key, v);
+    }
+    // A corner that names no vertex stays one.
+    const corners = faces.flatMap(([start, end]) =>
+      Array.from(
+        this.model.faceVertices.subarray(3 * start, 3 * end),
+        (corner) => owner[corner - first] ?? count,
+      ),
+    );
+    const normals = vertexNormals({
+      positions: local,
+      faceOffsets: Uint32Array.from({ length: corners.length / 3 + 1 }, (_, f) => 3 * f),
+      faceVertices: Uint32Array.from(corners),
+    });
+    // The model's faces are turned over where the node mirrors; its own are not.
+    const sign = determinant(matrix) < 0 ? -1 : 1;
+    return Float64Array.from(
+      { length: 3 * count },
+      (_, i) => sign * normals[3 * owner[Math.floor(i / 3)]! + (i % 3)]!,
+    );
+  }
+}
+
+function hasMoved({ positions }: Model, extra: GltfExtra, { first, count }: GltfPart): boolean {
+  for (let i = 3 * first; i < 3 * (first + count); i++)
+    if (!Object.is(positions[i], extra.positions[i])) return true;
+  return false;
+}
