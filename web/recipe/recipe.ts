@@ -2,32 +2,49 @@
 // everything else about a recipe (link, file, undo, command line) is derived from these.
 
 import * as v from 'valibot';
+import { fileName, list, oneOf, stepId } from './schema-parts';
 import { deformStep } from './steps/deform';
 
-/** Names of models and steps: short, printable, usable as a file stem. */
+/** The version that is written. `migrations` knows how to read the earlier ones. */
+export const RECIPE_VERSION = 1;
+
+/** Formats that an output can be written in, by its file's extension. */
+export const OUTPUT_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
+
+/** Names of models: short, printable, usable as a file stem. */
 const name = v.pipe(
   v.string(),
   v.regex(/^[\p{L}\p{N}][\p{L}\p{N} ._-]{0,63}$/u, 'a name of 1 to 64 letters, digits, spaces, . _ or -'),
 );
 
-const modelRef = v.union([
-  v.strictObject({ file: v.pipe(v.string(), v.minLength(1), v.maxLength(255)) }),
-  v.strictObject({ builtin: v.pipe(v.string(), v.regex(/^[a-z0-9]+(-[a-z0-9]+)*$/, 'a kebab-case name')) }),
-]);
+const modelRef = v.union(
+  [
+    v.strictObject({ file: fileName }),
+    v.strictObject({ builtin: v.pipe(v.string(), v.regex(/^[a-z0-9]+(-[a-z0-9]+)*$/, 'a kebab-case name')) }),
+  ],
+  oneOf(['file', 'builtin'], '{ "file": "name.ply" } or { "builtin": "name" }'),
+);
 
-const output = v.strictObject({ step: name, file: v.pipe(v.string(), v.minLength(1), v.maxLength(255)) });
+const output = v.strictObject({
+  step: stepId,
+  file: v.pipe(fileName, v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders')),
+});
 
 /** One line per step type: the registry of this floor. */
 export const stepSchema = v.variant('type', [deformStep]);
 
 export const recipeSchema = v.strictObject({
-  lissom: v.literal(1),
+  lissom: v.literal(RECIPE_VERSION),
   models: v.record(name, modelRef),
-  steps: v.array(stepSchema),
-  outputs: v.optional(v.array(output), []),
+  steps: list(stepSchema),
+  outputs: v.optional(list(output), []),
 });
 
 export type Recipe = v.InferOutput<typeof recipeSchema>;
 export type Step = v.InferOutput<typeof stepSchema>;
+export type StepType = Step['type'];
 export type ModelRef = v.InferOutput<typeof modelRef>;
 export type { DeformHandle, DeformStep } from './steps/deform';
+
+/** A document with nothing in it yet. */
+export const emptyRecipe = (): Recipe => ({ lissom: RECIPE_VERSION, models: {}, steps: [], outputs: [] });

@@ -1,36 +1,68 @@
-// Pieces of schema that several step types share.
+// Pieces of schema that several step types share. Each custom message is what was expected, as it reads after
+// "expected": the sentence around it is made in problem.ts.
 
 import * as v from 'valibot';
 
 export const finite = v.pipe(v.number(), v.finite('a finite number'));
 export const index = v.pipe(v.number(), v.integer('a whole number'), v.minValue(0, 'an index from 0 on'));
 
-/** A reference to a model or to an earlier step. */
-export const reference = v.pipe(v.string(), v.minLength(1), v.maxLength(64));
+export const list = <const S extends v.GenericSchema>(item: S) => v.array(item, 'a list');
 
-export const stepId = v.pipe(v.string(), v.minLength(1), v.maxLength(64));
+/** A reference to a model or to an earlier step; found by identity when references are checked. */
+export const reference = v.pipe(
+  v.string(),
+  v.minLength(1, 'a name'),
+  v.maxLength(64, 'a name of at most 64 characters'),
+);
 
-export const vec3 = v.tuple([finite, finite, finite]);
+export const stepId = v.pipe(
+  v.string(),
+  v.minLength(1, 'an id'),
+  v.maxLength(64, 'an id of at most 64 characters'),
+);
+
+export const fileName = v.pipe(
+  v.string(),
+  v.minLength(1, 'a file name'),
+  v.maxLength(255, 'a file name of at most 255 characters'),
+);
+
+export const vec3 = v.strictTuple([finite, finite, finite], 'three numbers');
 
 /** 16 numbers, column-major, applied to rest positions; affine: the last row is 0 0 0 1. */
 export const matrix = v.pipe(
-  v.array(finite),
+  list(finite),
   v.length(16, 'a matrix of 16 numbers'),
-  v.check((m) => m[3] === 0 && m[7] === 0 && m[11] === 0 && m[15] === 1, 'a matrix whose last row is 0 0 0 1'),
+  v.check(
+    (m) => m[3] === 0 && m[7] === 0 && m[11] === 0 && m[15] === 1,
+    'a matrix whose last row is 0 0 0 1',
+  ),
 );
+
+const VERTEX_SET = '"all", a list of indices, or { "ranges": [[first, last], ...] }';
 
 export const vertexSet = v.union(
   [
     v.literal('all'),
-    v.array(index),
+    list(index),
     v.strictObject({
-      ranges: v.array(
+      ranges: list(
         v.pipe(
-          v.tuple([index, index]),
+          v.strictTuple([index, index], 'a pair of indices'),
           v.check(([first, last]) => first <= last, 'a range whose first is not after its last'),
         ),
       ),
     }),
   ],
-  '"all", a list of indices, or { "ranges": [[first, last], ...] }',
+  oneOf(['ranges'], VERTEX_SET),
 );
+
+/** Message of a union of objects told apart by their fields: names a field that none of them has. */
+export function oneOf(fields: readonly string[], expected: string) {
+  return ({ input }: { readonly input: unknown }): string => {
+    const given =
+      input !== null && typeof input === 'object' && !Array.isArray(input) ? Object.keys(input) : [];
+    const unknown = given.find((field) => !fields.includes(field));
+    return unknown === undefined ? expected : `${expected} without the field "${unknown}"`;
+  };
+}

@@ -1,21 +1,27 @@
 import * as v from 'valibot';
-import { finite, matrix, reference, stepId, vec3, vertexSet } from '../schema-parts';
+import { index, list, matrix, reference, stepId, vec3, vertexSet } from '../schema-parts';
 
-const label = { name: v.optional(v.pipe(v.string(), v.maxLength(64))), hidden: v.optional(v.boolean()) };
+const label = {
+  name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
+  hidden: v.optional(v.boolean()),
+};
 
 const regionHandle = v.strictObject({ kind: v.literal('region'), vertices: vertexSet, matrix, ...label });
 
 const pointHandle = v.strictObject({
   kind: v.literal('point'),
-  vertices: v.pipe(v.array(v.pipe(v.number(), v.integer(), v.minValue(0))), v.length(1, 'exactly one vertex')),
+  vertices: v.pipe(list(index), v.length(1, 'exactly one vertex')),
   position: vec3,
   ...label,
 });
 
+const COUNT = 'a whole number from 1 to 100';
+const count = v.pipe(v.number(), v.integer(COUNT), v.minValue(1, COUNT), v.maxValue(100, COUNT));
+
 const options = v.strictObject({
   removeShear: v.optional(v.boolean(), true),
   scaleDetails: v.optional(v.boolean(), false),
-  iterations: v.optional(v.pipe(finite, v.integer(), v.minValue(1), v.maxValue(100)), 1),
+  iterations: v.optional(count, 1),
   coherenceRing: v.optional(v.picklist([1, 2]), 1),
 });
 
@@ -25,7 +31,7 @@ export const deformStep = v.strictObject({
   type: v.literal('deform'),
   model: reference,
   roi: v.optional(vertexSet, 'all'),
-  handles: v.array(v.variant('kind', [regionHandle, pointHandle])),
+  handles: list(v.variant('kind', [regionHandle, pointHandle])),
   method: v.optional(v.picklist(['implicit', 'iterative', 'naive']), 'implicit'),
   options: v.optional(options, {}),
 });
