@@ -6,7 +6,8 @@ namespace lissom {
 
 /// What an edit did to a surface, in numbers that do not depend on its unit of length.
 struct Measures {
-    double volume_ratio = 1;          ///< enclosed volume after / before; area^1.5 ratio where the surface is open
+    double volume_ratio = 1;          ///< enclosed volume after / before; (area ratio)^1.5 where nothing is enclosed:
+                                      ///< the surface is open or one-sided, or as good as flat
     double edge_rms = 0;              ///< √mean((l/l₀ − 1)²) over edges
     double worst_stretch = 1;         ///< the edge length ratio l/l₀ farthest from 1 (as |log|)
     int flipped_triangles = 0;        ///< normals turned by more than 90° against their neighbours' mean turn
@@ -14,7 +15,7 @@ struct Measures {
 };
 
 /// @param positions n×3 source positions after the edit
-/// @throws InvalidInput `wrong-size`
+/// @throws InvalidInput `wrong-size`, `non-finite-position`
 [[nodiscard]] Measures measure(const WorkingMesh& working, const Points& positions);
 
 } // namespace lissom
