@@ -1,4 +1,4 @@
-import { OrthographicCamera, PerspectiveCamera, Ray, type Sphere, Vector3 } from 'three';
+import { OrthographicCamera, PerspectiveCamera, Ray, Vector3 } from 'three';
 import type { ViewPreset } from './types';
 
 /** Where the camera stands: at `distance` from `target`, `turn` around the vertical, `tilt` down from it. */
@@ -14,10 +14,14 @@ const HALF_TAN = Math.tan((FIELD_OF_VIEW * Math.PI) / 360);
 /** Time constant of every motion, in ms: 95 % of the way after three of them. */
 const EASE = 50;
 const NEAREST = 1e-3;
+/** A single vertex is shown from no nearer than this. */
+const SMALLEST_FRAME = 0.1;
+/** The viewport is this much larger than what it frames. */
+const AIR = 1.22;
 const FARTHEST = 60;
 
 const PRESETS: Readonly<Record<ViewPreset, readonly [turn: number, tilt: number]>> = {
-  home: [0.55, 1.24],
+  home: [0.6, 1.3],
   front: [0, Math.PI / 2],
   back: [Math.PI, Math.PI / 2],
   left: [-Math.PI / 2, Math.PI / 2],
@@ -95,12 +99,47 @@ export class CameraRig {
     this.#goal.turn += angle;
   }
 
-  /** Shows a ball whole, with a little air. */
-  frame(ball: Sphere): void {
-    const narrow = Math.min(1, this.#width / this.#height);
-    const half = Math.atan(HALF_TAN * narrow);
-    this.#goal.target.copy(ball.center);
-    this.#goal.distance = Math.min(FARTHEST, Math.max(NEAREST, (1.04 * ball.radius) / Math.sin(half)));
+  /**
+   * Shows points whole from where the goal looks, with a little air.
+   *
+   * @param points  3 per point, drawn units
+   */
+  frame(points: ArrayLike<number>): void {
+    if (points.length === 0) return;
+    const goal = this.#goal;
+    const { right, up, back } = axes(goal);
+    const tanX = (HALF_TAN * this.#width) / this.#height / AIR;
+    const tanY = HALF_TAN / AIR;
+    // A point at (x, y, z) in the camera's axes lies inside when |x − cx| ≤ (d − z)·tan: with the widest
+    // cone on either side, the two meet in the place and distance sought.
+    const low = [Infinity, Infinity, Infinity];
+    const high = [-Infinity, -Infinity, -Infinity];
+    let [left, rightmost, bottom, top] = [-Infinity, -Infinity, -Infinity, -Infinity];
+    for (let i = 0; i < points.length; i += 3) {
+      const [px, py, pz] = [points[i]!, points[i + 1]!, points[i + 2]!];
+      const x = right.x * px + right.y * py + right.z * pz;
+      const y = up.x * px + up.y * py + up.z * pz;
+      const z = back.x * px + back.y * py + back.z * pz;
+      const deep = this.#isFlat ? 0 : z;
+      left = Math.max(left, deep * tanX - x);
+      rightmost = Math.max(rightmost, deep * tanX + x);
+      bottom = Math.max(bottom, deep * tanY - y);
+      top = Math.max(top, deep * tanY + y);
+      for (const [k, value] of [x, y, z].entries()) {
+        low[k] = Math.min(low[k]!, value);
+        high[k] = Math.max(high[k]!, value);
+      }
+    }
+    const eye = Math.max((left + rightmost) / (2 * tanX), (bottom + top) / (2 * tanY));
+    const depth = (low[2]! + high[2]!) / 2;
+    const size = Math.max(high[0]! - low[0]!, high[1]! - low[1]!, high[2]! - low[2]!);
+    goal.target
+      .copy(right)
+      .multiplyScalar((rightmost - left) / 2)
+      .addScaledVector(up, (top - bottom) / 2)
+      .addScaledVector(back, depth);
+    const distance = this.#isFlat ? eye : eye - depth;
+    goal.distance = Math.min(FARTHEST, Math.max(SMALLEST_FRAME, size, distance));
   }
 
   look(preset: ViewPreset): void {

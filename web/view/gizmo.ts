@@ -1,4 +1,4 @@
-import { type Camera, Matrix4, type Mesh, type MeshBasicMaterial, Object3D, type Scene } from 'three';
+import { type Camera, Matrix4, Mesh, Object3D, type Scene } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Palette } from './palette';
 import type { GizmoEvents, GizmoState } from './types';
@@ -20,8 +20,10 @@ export class Gizmo {
     this.#space = space;
     this.#controls = new TransformControls(camera);
     this.#controls.setSpace('local');
-    this.#controls.setSize(0.85);
+    this.#controls.setSize(1.05);
+    this.#controls.showXYZE = false;
     this.#helper = this.#controls.getHelper();
+    simplify(this.#helper);
     scene.add(this.#anchor, this.#helper);
     this.#controls.addEventListener('change', changed);
     this.#controls.addEventListener('objectChange', () => this.#moved());
@@ -42,10 +44,6 @@ export class Gizmo {
 
   setPalette(palette: Palette): void {
     this.#controls.setColors(...palette.axes, palette.warn);
-    this.#helper.traverse((part) => {
-      const { material } = part as Mesh;
-      if (material) (material as MeshBasicMaterial).depthTest = false;
-    });
   }
 
   set(state: GizmoState | null, events: GizmoEvents | undefined, space: ViewSpace): void {
@@ -134,6 +132,23 @@ export class Gizmo {
     return this.#space.frameToModel(position, quaternion, scale, new Matrix4()).toArray();
   }
 }
+
+/** One arrow per axis is enough: takes away the parts that lie on the negative side. */
+function simplify(helper: Object3D): void {
+  const spare: Mesh[] = [];
+  helper.traverse((part) => {
+    const axis = ['X', 'Y', 'Z'].indexOf(part.name);
+    if (axis < 0 || !(part instanceof Mesh)) return;
+    part.geometry.computeBoundingBox();
+    if (part.geometry.boundingBox.max.getComponent(axis) < 0.01 && !isRing(part)) spare.push(part);
+  });
+  for (const part of spare) {
+    part.removeFromParent();
+    part.geometry.dispose();
+  }
+}
+
+const isRing = (part: Mesh): boolean => part.geometry.type === 'TorusGeometry';
 
 const pointer = (x: number, y: number, button: number): PointerEvent =>
   ({ x, y, button }) as unknown as PointerEvent;

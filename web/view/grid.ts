@@ -48,8 +48,8 @@ export class Grid {
         vec3 shade = colour;
         vec2 width = fwidth(p);
         vec2 axis = axes * clamp(1.25 - abs(p) / width, 0.0, 1.0);
-        if (axis.y > 0.0) { shade = axisX; cover = max(cover, axis.y * 2.2); }
-        if (axis.x > 0.0) { shade = axisZ; cover = max(cover, axis.x * 2.2); }
+        if (axis.y > 0.0) { shade = axisX; cover = max(cover, axis.y * 1.3); }
+        if (axis.x > 0.0) { shade = axisZ; cover = max(cover, axis.x * 1.3); }
         gl_FragColor = vec4(shade, min(1.0, cover * strength) * fade);
         #include <colorspace_fragment>
       }`,

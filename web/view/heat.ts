@@ -6,8 +6,8 @@ type Rgb = [number, number, number];
 
 const PALE: Rgb = [0.93, 0, 0.006];
 /** Lightness, chroma, hue in degrees. Both ends are equally dark, so neither looks like the more. */
-const COLD = lch(0.47, 0.17, 262);
-const WARM = lch(0.47, 0.17, 28);
+const COLD = lch(0.54, 0.155, 260);
+const WARM = lch(0.54, 0.155, 29);
 
 /**
  * The map at t in [0, 1], clamped: 0 the lower end, 0.5 pale, 1 the upper end.

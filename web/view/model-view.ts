@@ -102,26 +102,16 @@ export class ModelView {
     this.geometry.setAttribute('heat', attribute);
   }
 
-  /** Bounding sphere of the posed vertices (or some of them), in drawn units. */
-  bounds(vertices?: Uint32Array): Sphere {
-    const positions = this.#position;
-    const low = new Vector3(Infinity, Infinity, Infinity);
-    const high = low.clone().negate();
-    const at = new Vector3();
-    const count = vertices?.length ?? positions.count;
-    for (let i = 0; i < count; i++) {
-      at.fromBufferAttribute(positions, vertices ? vertices[i]! : i);
-      low.min(at);
-      high.max(at);
+  /** The posed vertices (or some of them), 3 numbers each, in drawn units. */
+  places(vertices?: Uint32Array): Float32Array {
+    const all = this.#position.array as Float32Array;
+    if (!vertices) return all;
+    const out = new Float32Array(3 * vertices.length);
+    for (let i = 0; i < vertices.length; i++) {
+      const v = 3 * vertices[i]!;
+      out.set(all.subarray(v, v + 3), 3 * i);
     }
-    if (count === 0) return new Sphere(new Vector3(), 1);
-    const centre = low.clone().add(high).multiplyScalar(0.5);
-    let radius = 0;
-    for (let i = 0; i < count; i++) {
-      at.fromBufferAttribute(positions, vertices ? vertices[i]! : i);
-      radius = Math.max(radius, at.distanceTo(centre));
-    }
-    return new Sphere(centre, radius);
+    return out;
   }
 
   dispose(): void {

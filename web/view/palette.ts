@@ -29,8 +29,8 @@ export const INTERIOR = '#7d4438';
 
 export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
   dark: {
-    sky: '#2a2f37',
-    floor: '#15171a',
+    sky: '#1a1d21',
+    floor: '#3c424b',
     grid: '#98a2ae',
     gridStrength: 0.2,
     shadowStrength: 0.62,
@@ -53,8 +53,8 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     axes: ['#e8636b', '#7fbf5a', '#5b93f5'],
   },
   light: {
-    sky: '#f7f8fa',
-    floor: '#d9dde3',
+    sky: '#dfe3e8',
+    floor: '#f4f5f7',
     grid: '#5b6672',
     gridStrength: 0.26,
     shadowStrength: 0.4,

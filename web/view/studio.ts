@@ -33,14 +33,19 @@ const BOXES: readonly SoftBox[] = [
   { at: [-6, 3, -7], size: [2, 6], light: 3, colour: '#ffffff' },
 ];
 
+/** Where the key light stands; the middle of the room is the model's. */
+const KEY = new Vector3(-2.2, 4, 2.6);
+/** How far a shadow on the ground runs per unit of height. */
+export const KEY_SLANT: readonly [x: number, z: number] = [-KEY.x / KEY.y, -KEY.z / KEY.y];
+
 /** A photographer's room: soft boxes for the reflections and the fill, one key light that casts the shadow. */
 export class Studio {
   readonly lights = new Group();
-  readonly key = new DirectionalLight('#fff3e4', 1.55);
+  readonly key = new DirectionalLight('#fff1e0', 2.1);
   #room: WebGLRenderTarget | undefined;
 
   constructor(private readonly renderer: WebGLRenderer) {
-    this.key.position.set(-2.2, 4, 2.6);
+    this.key.position.copy(KEY);
     this.key.castShadow = true;
     this.key.shadow.mapSize.set(2048, 2048);
     const frustum = this.key.shadow.camera;
@@ -81,7 +86,7 @@ function roomScene(): Scene {
     side: BackSide,
     uniforms: {
       ceiling: { value: new Color(0.5, 0.51, 0.53) },
-      floor_: { value: new Color(0.17, 0.155, 0.14) },
+      floor_: { value: new Color(0.13, 0.12, 0.11) },
     },
     vertexShader: /* glsl */ `
       varying float height;
@@ -104,7 +109,7 @@ function roomScene(): Scene {
   }
   const table = new Mesh(
     new BoxGeometry(14, 0.2, 14),
-    new MeshBasicMaterial({ color: new Color(0.3, 0.28, 0.26) }),
+    new MeshBasicMaterial({ color: new Color(0.17, 0.155, 0.145) }),
   );
   table.position.y = -4;
   scene.add(table);

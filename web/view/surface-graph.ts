@@ -117,12 +117,12 @@ export class SurfaceGraph {
     const hard = new Uint8Array(count);
     for (const v of set) hard[this.#welded[v]!] = 1;
     let field = Float32Array.from(hard);
-    const touched = this.#near(set, 3);
-    for (let pass = 0; pass < 3; pass++) {
+    const touched = this.#near(set, 4);
+    for (let pass = 0; pass < 4; pass++) {
       const next = field.slice();
       for (const w of touched) {
         const mean = this.#mean(w, field);
-        next[w] = hard[w] ? Math.max(0.58, mean) : Math.min(0.42, mean);
+        next[w] = hard[w] ? Math.max(0.54, mean) : Math.min(0.46, mean);
       }
       field = next;
     }

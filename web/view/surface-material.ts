@@ -77,9 +77,10 @@ export class SurfaceMaterials {
       regionFill.value[i]!.set(0, 0, 0, 0);
       regionLine.value[i]!.set(0, 0, 0, 0);
       if (!channel) continue;
-      const fill = new Color(palette.regions[channel.kind]);
+      // Paler than the line: a tint must not make the clay darker.
+      const fill = new Color(palette.regions[channel.kind]).lerp(new Color(1, 1, 1), 0.12);
       const line = display(palette.regions[channel.kind]);
-      const strength = channel.kind === 'roi' || channel.kind === 'scalp' ? 0.34 : 0.62;
+      const strength = channel.kind === 'roi' || channel.kind === 'scalp' ? 0.58 : 0.68;
       regionFill.value[i]!.set(fill.r, fill.g, fill.b, channel.selected ? strength + 0.16 : strength);
       if (channel.selected) line.lerp(new Vector3(1, 1, 1), 0.55);
       regionLine.value[i]!.set(line.x, line.y, line.z, 1);
@@ -100,7 +101,7 @@ export class SurfaceMaterials {
   }
 
   #make(shading: DisplayOptions['shading']): Material {
-    const common = { side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
+    const common = { side: DoubleSide };
     const material =
       shading === 'clay' || shading === 'vertex-colours'
         ? new MeshStandardMaterial({ ...common, color: CLAY, roughness: 0.65, metalness: 0 })

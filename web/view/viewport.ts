@@ -1,28 +1,17 @@
-import {
-  AgXToneMapping,
-  Mesh,
-  PCFShadowMap,
-  Plane,
-  PlaneGeometry,
-  type Ray,
-  Scene,
-  ShadowMaterial,
-  Vector3,
-  WebGLRenderer,
-} from 'three';
+import { ACESFilmicToneMapping, PCFShadowMap, Plane, type Ray, Scene, Vector3, WebGLRenderer } from 'three';
 import { LissomError } from '../core/errors';
 import { Background } from './background';
 import { CameraRig } from './camera-rig';
-import { ContactShadow } from './contact-shadow';
 import { Gizmo } from './gizmo';
 import { Grid } from './grid';
+import { GroundShadow } from './ground-shadow';
 import { Markers } from './markers';
 import { ModelView } from './model-view';
 import { OrientationWidget, type ViewLabels } from './orientation-widget';
 import { PALETTES, type Palette } from './palette';
 import { Picker } from './picking';
 import { type NavigationOptions, PointerInput } from './pointer-input';
-import { Studio } from './studio';
+import { KEY_SLANT, Studio } from './studio';
 import { SurfaceMaterials } from './surface-material';
 import type {
   CameraState,
@@ -69,8 +58,8 @@ export class Viewport implements ViewportPort {
   readonly #materials = new SurfaceMaterials();
   readonly #background = new Background();
   readonly #grid = new Grid();
-  readonly #contact = new ContactShadow();
-  readonly #shade = new Mesh(new PlaneGeometry(12, 12), new ShadowMaterial({ depthWrite: false }));
+  readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [3, 1.4] });
+  readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [3, 2, 1] });
   readonly #markers = new Markers();
   readonly #gizmo: Gizmo;
   readonly #widget: OrientationWidget;
@@ -100,16 +89,14 @@ export class Viewport implements ViewportPort {
     Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
     this.#studio = new Studio(this.#renderer);
     this.#scene.environment = this.#studio.environment();
-    this.#shade.rotation.x = -Math.PI / 2;
-    this.#shade.receiveShadow = true;
-    this.#shade.renderOrder = -15;
+    this.#scene.environmentIntensity = 0.62;
     this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, ViewSpace.identity, () => this.#redraw());
     this.#widget = new OrientationWidget((preset) => this.setView(preset), options.labels);
     container.append(this.#widget.element);
     this.#scene.add(
       this.#background.mesh,
       this.#contact.mesh,
-      this.#shade,
+      this.#cast.mesh,
       this.#grid.mesh,
       this.#studio.lights,
       this.#markers.group,
@@ -139,7 +126,6 @@ export class Viewport implements ViewportPort {
       this.#ground = lowest(view) - 0.004;
     }
     this.#grid.place(this.#space, this.#ground);
-    this.#shade.position.y = this.#ground;
     this.setRegions([]);
     this.setMarkers([]);
     this.setHeat(null);
@@ -198,7 +184,8 @@ export class Viewport implements ViewportPort {
       part.setPalette(palette);
     }
     this.#contact.setStrength(palette.shadowStrength);
-    this.#shade.material.opacity = 0.32 * palette.shadowStrength;
+    this.#cast.setStrength(0.6 * palette.shadowStrength);
+    this.#cast.mesh.visible = this.#view !== undefined;
     this.#grid.mesh.visible = options.grid;
     this.#contact.mesh.visible = this.#view !== undefined;
     this.#showWireframe(options.wireframe, palette);
@@ -259,11 +246,7 @@ export class Viewport implements ViewportPort {
   }
 
   fit(vertices?: Uint32Array): void {
-    const ball = this.#view?.bounds(vertices);
-    if (ball) {
-      ball.radius = Math.max(ball.radius, 0.02);
-      this.#rig.frame(ball);
-    }
+    if (this.#view) this.#rig.frame(this.#view.places(vertices));
     this.#redraw();
   }
 
@@ -341,8 +324,7 @@ export class Viewport implements ViewportPort {
       this.#contact,
       this.#studio,
       this.#materials,
-      this.#shade.geometry,
-      this.#shade.material,
+      this.#cast,
       this.#renderer,
     ]) {
       part.dispose();
@@ -440,7 +422,9 @@ export class Viewport implements ViewportPort {
   #draw(): void {
     if (this.#renderer.getContext().isContextLost()) return;
     if (this.#shadowsStale && this.#view) {
-      this.#contact.update(this.#renderer, this.#view.geometry, this.#ground);
+      for (const shadow of [this.#contact, this.#cast]) {
+        shadow.update(this.#renderer, this.#view.geometry, this.#ground);
+      }
       this.#renderer.shadowMap.needsUpdate = true;
       this.#shadowsStale = false;
     }
@@ -467,8 +451,8 @@ function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGL
       'crash',
     );
   }
-  renderer.toneMapping = AgXToneMapping;
-  renderer.toneMappingExposure = 1.25;
+  renderer.toneMapping = ACESFilmicToneMapping;
+  renderer.toneMappingExposure = 1.0;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.autoUpdate = false;
   renderer.shadowMap.type = PCFShadowMap;
@@ -476,8 +460,8 @@ function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGL
 }
 
 function lowest(view: ModelView): number {
-  const position = view.geometry.getAttribute('position');
+  const places = view.places();
   let low = Infinity;
-  for (let v = 0; v < position.count; v++) low = Math.min(low, position.getY(v));
+  for (let i = 1; i < places.length; i += 3) low = Math.min(low, places[i]!);
   return low;
 }

@@ -12,6 +12,13 @@ export class Wireframe {
 
   constructor(view: ModelView) {
     const { positions, faceOffsets, faceVertices } = view.model;
+    // Towards the eye by a hair, so that lines win over the surface they lie on.
+    this.#material.onBeforeCompile = (shader) => {
+      shader.vertexShader = shader.vertexShader.replace(
+        '#include <project_vertex>',
+        '#include <project_vertex>\ngl_Position.z -= 0.0004 * gl_Position.w;',
+      );
+    };
     const edges = polygonEdges(faceOffsets, faceVertices, positions.length / 3);
     const geometry = new BufferGeometry();
     const drawn = view.geometry.getAttribute('position');

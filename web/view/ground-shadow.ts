@@ -12,33 +12,52 @@ import {
   WebGLRenderTarget,
 } from 'three';
 
-/** Side of the square of ground that is looked at, and the height up to which things darken it. */
-const SIDE = 3.6;
-const HEIGHT = 0.7;
+/** Side of the square of ground that is looked at, drawn units. */
+const SIDE = 5;
 const TEXELS = 512;
 
+export interface ShadowShape {
+  /** What stands higher than this above the ground no longer darkens it. */
+  readonly height: number;
+  /** How quickly darkness fades with height. */
+  readonly falloff: number;
+  /** Ground passed per unit of height: where the light comes from. */
+  readonly slant: readonly [x: number, z: number];
+  /** Widths of successive blurs, in texels. */
+  readonly blurs: readonly number[];
+}
+
 /**
- * The soft darkness under a model: its underside seen from below the ground, near parts dark, blurred.
- * Drawn again only when the shape changes; orbiting costs one textured square.
+ * A soft shadow on the ground: the model's underside seen from below, near parts dark, blurred. Drawn again
+ * only when the shape changes; orbiting costs one textured square.
  */
-export class ContactShadow {
-  readonly #camera = new OrthographicCamera(-SIDE / 2, SIDE / 2, SIDE / 2, -SIDE / 2, 0, HEIGHT);
+export class GroundShadow {
+  readonly #camera = new OrthographicCamera(-SIDE / 2, SIDE / 2, SIDE / 2, -SIDE / 2, 0, 4);
   readonly #target = new WebGLRenderTarget(TEXELS, TEXELS, { type: HalfFloatType });
   readonly #swap = new WebGLRenderTarget(TEXELS, TEXELS, { type: HalfFloatType });
   readonly #depth = new ShaderMaterial({
     side: DoubleSide,
-    uniforms: { height: { value: HEIGHT } },
+    uniforms: {
+      ground: { value: 0 },
+      height: { value: 1 },
+      falloff: { value: 1 },
+      slant: { value: new Vector2() },
+    },
     vertexShader: /* glsl */ `
+      uniform float ground;
+      uniform vec2 slant;
       varying float above;
       void main() {
-        vec4 seen = modelViewMatrix * vec4(position, 1.0);
-        above = -seen.z;
+        above = position.y - ground;
+        vec3 thrown = position;
+        thrown.xz += slant * above;
+        vec4 seen = modelViewMatrix * vec4(thrown, 1.0);
         gl_Position = projectionMatrix * seen;
       }`,
     fragmentShader: /* glsl */ `
-      uniform float height;
+      uniform float height, falloff;
       varying float above;
-      void main() { gl_FragColor = vec4(vec3(0.0), pow(clamp(1.0 - above / height, 0.0, 1.0), 2.0)); }`,
+      void main() { gl_FragColor = vec4(vec3(0.0), pow(clamp(1.0 - above / height, 0.0, 1.0), falloff)); }`,
   });
   readonly #caster = new Mesh(undefined, this.#depth);
   readonly #blur = new ShaderMaterial({
@@ -82,7 +101,11 @@ export class ContactShadow {
   });
   readonly mesh = new Mesh(new PlaneGeometry(SIDE, SIDE), this.#material);
 
-  constructor() {
+  constructor(private readonly shape: ShadowShape) {
+    const { height, falloff, slant } = this.#depth.uniforms;
+    height!.value = shape.height;
+    falloff!.value = shape.falloff;
+    slant!.value.set(...shape.slant);
     this.mesh.rotation.x = -Math.PI / 2;
     this.mesh.renderOrder = -20;
     // Looks up with x to the right, z up: the ground's own picture upside down.
@@ -99,6 +122,7 @@ export class ContactShadow {
   update(renderer: WebGLRenderer, model: BufferGeometry, ground: number): void {
     this.mesh.position.y = ground;
     this.#camera.position.y = ground - 1e-3;
+    this.#depth.uniforms.ground!.value = ground;
     this.#caster.geometry = model;
     const shadows = renderer.shadowMap.autoUpdate;
     const clear = renderer.getClearColor(new Color());
@@ -108,7 +132,7 @@ export class ContactShadow {
     renderer.setRenderTarget(this.#target);
     renderer.clear();
     renderer.render(this.#caster, this.#camera);
-    for (const width of [3.2, 1.4]) {
+    for (const width of this.shape.blurs) {
       this.#pass(renderer, this.#target, this.#swap, new Vector2(width / TEXELS, 0));
       this.#pass(renderer, this.#swap, this.#target, new Vector2(0, width / TEXELS));
     }
