@@ -46,6 +46,11 @@ export class Document implements DocumentService {
     return edit.stepById(this.recipe, this.selection.step);
   }
 
+  /** The open step as drawn; reads signals. */
+  get shownStep(): DeformStep | undefined {
+    return this.state.step.value;
+  }
+
   get isDirty(): boolean {
     return this.#history.isDirty;
   }
@@ -68,11 +73,8 @@ export class Document implements DocumentService {
     const [first, ...rest] = entries;
     if (!first) return;
     const times = entries.map(({ time }) => time);
-    let next = 0;
-    const clock = () => times[Math.min(next++, times.length - 1)] ?? Date.now();
-    const history = new History(first.document, first.selection, first.label, () =>
-      next < times.length ? clock() : Date.now(),
-    );
+    const clock = () => times.shift() ?? Date.now();
+    const history = new History(first.document, first.selection, first.label, clock);
     for (const { document, selection, label } of rest) history.commit(label, document, selection);
     history.jump(index);
     history.markSaved();

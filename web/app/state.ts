@@ -87,7 +87,8 @@ export interface ModelFacts {
 export interface ImportReport {
   readonly file: string;
   readonly facts: ModelFacts;
-  readonly findings: readonly Finding[];
+  /** `message` where the reader had more to say than the code does. */
+  readonly findings: readonly (Finding & { readonly message?: string })[];
 }
 
 /** Where the work is. `time` in ms since 1970. */
@@ -157,6 +158,8 @@ export class State {
     fps: 0,
   });
   readonly whatItDid = signal<WhatItDid | null>(null);
+  /** Per source vertex: mean of l/l₀ − 1 over its edges, for the heat map. */
+  readonly stretch = signal<Float32Array | null>(null);
   /** Warnings of the open step (degenerate handles, components without a handle …). */
   readonly warnings = signal<readonly Finding[]>([]);
 

@@ -1,0 +1,202 @@
+// From a recipe to what is seen: whenever the shown recipe changes, the open step is computed anew. One run
+// at a time; of those waiting only the newest. A drag never waits for a run that a later move has overtaken.
+
+import { effect, type ReadonlySignal, signal } from '@preact/signals';
+import { isCancelled, LissomError } from '../core/errors';
+import { Latest } from '../core/latest';
+import { stepById } from '../recipe/edit';
+import type { DeformStep, Recipe, Step } from '../recipe/recipe';
+import type { ModelResult, StepReport } from '../run/types';
+import { t } from './i18n';
+import type { State } from './state';
+
+/** What is asked of the recipe runner. */
+export interface RunnerPort {
+  run(recipe: Recipe, options: RunOptions): Promise<RunOutcome>;
+  /** The model a step starts from, opened. */
+  input(recipe: Recipe, step: string, options?: { readonly signal?: AbortSignal }): Promise<ModelResult>;
+}
+
+export interface RunOptions {
+  readonly until?: string;
+  readonly signal?: AbortSignal;
+  readonly onProgress?: (fraction: number) => void;
+  /** false: the first solve only, the paper's live preview. */
+  readonly settle?: boolean;
+}
+
+export interface RunOutcome {
+  readonly input: ModelResult;
+  readonly positions: Float64Array;
+  readonly report: StepReport | null;
+}
+
+/** The open step's result: what is on screen. */
+export interface Evaluation {
+  readonly recipe: Recipe;
+  readonly step: DeformStep;
+  readonly input: ModelResult;
+  readonly positions: Float64Array;
+  /** `null` for a step without handles: it leaves its input as it is. */
+  readonly report: StepReport | null;
+  /** False while a gesture is under way. */
+  readonly settled: boolean;
+  /** Milliseconds from request to result. */
+  readonly elapsed: number;
+}
+
+interface Request {
+  readonly recipe: Recipe;
+  readonly step: DeformStep;
+  readonly live: boolean;
+}
+
+/** A live step slower than this shows the first solve only and settles on release (ALGORITHMS 1, "Live"). */
+const FRAME_BUDGET = 120;
+/** Work shorter than this shows no progress, in milliseconds. */
+const PATIENCE = 250;
+
+export class Evaluator {
+  readonly #result = signal<Evaluation | null>(null);
+  readonly #stop: () => void;
+  readonly #runs: Latest<Request, Evaluation>;
+  /** What was asked last and has not failed. */
+  #last: Request | null = null;
+  /** How long a settled solve of the open step takes, in milliseconds. */
+  #settledTime = 0;
+
+  constructor(
+    private readonly runner: RunnerPort,
+    private readonly state: State,
+    private readonly failed: (error: unknown) => void,
+  ) {
+    this.#runs = new Latest({
+      work: (request, signal) => this.#evaluate(request, signal),
+      deliver: (evaluation) => {
+        this.#result.value = evaluation;
+      },
+      fail: (error) => {
+        this.#last = null;
+        if (!isCancelled(error)) this.failed(error);
+      },
+    });
+    this.#stop = effect(() => {
+      const { recipe, selection } = state.shown.value;
+      const live = state.previewing.value;
+      const step = stepById(recipe, selection.step);
+      if (step) this.#push({ recipe, step, live });
+      else this.#clear();
+    });
+  }
+
+  get result(): ReadonlySignal<Evaluation | null> {
+    return this.#result;
+  }
+
+  /** Resolves once nothing runs or waits. */
+  settled(): Promise<void> {
+    return this.#runs.settled();
+  }
+
+  dispose(): void {
+    this.#stop();
+    this.#clear();
+  }
+
+  #clear(): void {
+    this.#last = null;
+    this.#runs.cancel();
+    this.#result.value = null;
+  }
+
+  #push(request: Request): void {
+    const last = this.#last;
+    // Where only the selection changed, nothing is to be computed.
+    if (last && last.recipe === request.recipe && last.step === request.step && last.live === request.live)
+      return;
+    // A factorization for handles that are no longer asked for is not worth waiting for.
+    if (last && !sameSession(last, request)) this.#runs.cancel();
+    this.#last = request;
+    this.#runs.push(request);
+  }
+
+  async #evaluate(request: Request, signal: AbortSignal): Promise<Evaluation> {
+    const { recipe, step, live } = request;
+    const started = performance.now();
+    const busy = this.#busy();
+    try {
+      const outcome = await this.#run(request, signal, busy.progress);
+      const elapsed = performance.now() - started;
+      const { solve = 0, rotate = 0, reconstruct = 0 } = outcome.report?.seconds ?? {};
+      if (!live) this.#settledTime = 1000 * (solve + rotate + reconstruct);
+      return { ...outcome, recipe, step, settled: !live, elapsed };
+    } finally {
+      busy.end();
+    }
+  }
+
+  async #run({ recipe, step, live }: Request, signal: AbortSignal, onProgress: (fraction: number) => void) {
+    if (step.handles.length === 0) {
+      const input = await retried(() => this.runner.input(recipe, step.id, { signal }));
+      return { input, positions: input.model.positions, report: null };
+    }
+    const settle = !live || this.#settledTime <= FRAME_BUDGET;
+    return retried(() => this.runner.run(recipe, { until: step.id, signal, onProgress, settle }));
+  }
+
+  /** Shows progress once the work has taken long enough to be noticed. */
+  #busy() {
+    let fraction: number | null = null;
+    let shown = false;
+    const cancel = () => {
+      this.#last = null;
+      this.#runs.cancel();
+    };
+    const show = () => {
+      shown = true;
+      this.state.busy.value = { label: t('busy.preparing'), fraction, cancel };
+    };
+    const timer = setTimeout(show, PATIENCE);
+    return {
+      progress: (done: number) => {
+        fraction = done;
+        if (shown) show();
+      },
+      end: () => {
+        clearTimeout(timer);
+        if (shown) this.state.busy.value = null;
+      },
+    };
+  }
+}
+
+/** Work lost with a worker that had to be replaced is simply done again, once. */
+async function retried<T>(work: () => Promise<T>): Promise<T> {
+  try {
+    return await work();
+  } catch (error) {
+    if (error instanceof LissomError && error.code === 'worker-restarted') return work();
+    throw error;
+  }
+}
+
+/** Whether both need the same factorization: only where the handles go differs. */
+function sameSession(a: Request, b: Request): boolean {
+  const [s, r] = [a.step, b.step];
+  return (
+    s.id === r.id &&
+    s.model === r.model &&
+    s.roi === r.roi &&
+    s.method === r.method &&
+    s.options === r.options &&
+    s.handles.length === r.handles.length &&
+    s.handles.every((handle, i) => handle.vertices === r.handles[i]!.vertices) &&
+    sameBefore(a.recipe, b.recipe, s)
+  );
+}
+
+function sameBefore(a: Recipe, b: Recipe, step: Step): boolean {
+  if (a.models !== b.models) return false;
+  const before = a.steps.findIndex(({ id }) => id === step.id);
+  return a.steps.slice(0, before).every((each, i) => each === b.steps[i]);
+}

@@ -1,0 +1,105 @@
+// The built-in models and finished examples, as public/gallery/index.json lists them.
+
+import { type ReadonlySignal, signal } from '@preact/signals';
+import { LissomError } from '../core/errors';
+import { newDeformStep } from '../recipe/edit';
+import { parseRecipe } from '../recipe/parse';
+import type { Recipe } from '../recipe/recipe';
+import type { GalleryEntry, GalleryService } from './api';
+import { t } from './i18n';
+
+interface Index {
+  readonly models: readonly {
+    readonly name: string;
+    readonly file: string;
+    readonly title: string;
+    readonly licence: string;
+    readonly vertices: number;
+  }[];
+  readonly examples: readonly {
+    readonly name: string;
+    readonly file: string;
+    readonly title: string;
+    readonly model: string;
+  }[];
+}
+
+/** A new recipe on a built-in model: one step, nothing held yet. */
+export const recipeOn = (builtin: string): Recipe => ({
+  lissom: 1,
+  models: { [builtin]: { builtin } },
+  steps: [newDeformStep('deform 1', builtin)],
+  outputs: [],
+});
+
+export class Gallery implements GalleryService {
+  readonly #entries = signal<readonly GalleryEntry[]>([]);
+  #index: Promise<Index> | undefined;
+
+  /**
+   * @param base  address of the gallery's folder, ending in a slash
+   * @param show  opens a recipe as a new document
+   */
+  constructor(
+    private readonly base: string,
+    private readonly show: (recipe: Recipe, title: string) => Promise<void>,
+  ) {}
+
+  get entries(): ReadonlySignal<readonly GalleryEntry[]> {
+    return this.#entries;
+  }
+
+  /** Reads the list; called once the first picture stands. */
+  async start(): Promise<void> {
+    const { models, examples } = await this.#list();
+    const thumbnail = (name: string) => `${this.base}thumbnails/${name}.webp`;
+    const finished = examples.map(({ name, title, file, model }) => {
+      const { licence = '', vertices = 0 } = models.find((each) => each.name === model) ?? {};
+      return { name, title, licence, vertices, thumbnail: thumbnail(name), recipe: file };
+    });
+    const bare = models.map(({ name, title, licence, vertices }) => ({
+      name,
+      title,
+      licence,
+      vertices,
+      thumbnail: thumbnail(name),
+    }));
+    this.#entries.value = [...finished, ...bare];
+  }
+
+  async open(entry: GalleryEntry): Promise<void> {
+    await this.show(entry.recipe ? await this.recipe(entry.recipe) : recipeOn(entry.name), entry.title);
+  }
+
+  async recipe(file: string): Promise<Recipe> {
+    return parseRecipe(new TextDecoder().decode(await this.#fetch(file)));
+  }
+
+  /** The bytes of a built-in model; what ModelStore asks for. */
+  async model(name: string): Promise<{ file: string; bytes: Uint8Array }> {
+    const held = (await this.#list()).models.find((each) => each.name === name);
+    if (!held) throw new LissomError('model-not-found', t('error.link-foreign', { name }));
+    return { file: held.file, bytes: await this.#fetch(held.file) };
+  }
+
+  async #list(): Promise<Index> {
+    this.#index ??= this.#fetch('index.json').then((bytes) => JSON.parse(new TextDecoder().decode(bytes)));
+    try {
+      return await this.#index;
+    } catch (error) {
+      this.#index = undefined;
+      throw error;
+    }
+  }
+
+  async #fetch(file: string): Promise<Uint8Array> {
+    try {
+      const answer = await fetch(this.base + file);
+      if (!answer.ok) throw new Error(String(answer.status));
+      return new Uint8Array(await answer.arrayBuffer());
+    } catch (error) {
+      const detail = error instanceof Error ? error.message : String(error);
+      throw new LissomError('gallery', t('error.gallery', { name: file, detail }), 'crash');
+    }
+  }
+}

@@ -1,0 +1,151 @@
+// Keeps the viewport in step with the state: one effect per thing drawn. Nothing flows back from here.
+
+import { effect } from '@preact/signals';
+import { toIndices } from '../core/vertex-set';
+import type { KernelPort } from '../kernel/contract';
+import type { DeformHandle } from '../recipe/recipe';
+import { GizmoDrag, gizmoFrame } from '../tools/deform/gizmo-drag';
+import { markerId } from '../tools/deform/host';
+import type { RegionPaint, ViewportPort } from '../view/types';
+import type { AppDeformHost } from './deform-host';
+import type { Evaluation, Evaluator } from './evaluation';
+import type { State } from './state';
+
+interface Parts {
+  readonly viewport: ViewportPort;
+  readonly state: State;
+  readonly evaluator: Pick<Evaluator, 'result'>;
+  readonly host: AppDeformHost;
+}
+
+/** @returns the gizmo's drag, for Escape, and the function that ends it all */
+export function syncView({ viewport, state, evaluator, host }: Parts): {
+  readonly gizmo: GizmoDrag;
+  readonly stop: () => void;
+} {
+  let shown: Evaluation | null = null;
+  const gizmo = new GizmoDrag(host, () => state.gizmo.peek());
+  const vertexLists = new WeakMap<object, Uint32Array>();
+
+  /** Recipes never change in place, so a set is unpacked once. */
+  const indices = (set: DeformHandle['vertices'], count: number): Uint32Array => {
+    if (typeof set === 'string') return toIndices(set, count);
+    const known = vertexLists.get(set);
+    if (known) return known;
+    const list = toIndices(set, count);
+    vertexLists.set(set, list);
+    return list;
+  };
+
+  const stops = [
+    effect(() => {
+      const evaluation = evaluator.result.value;
+      if (evaluation) show(viewport, evaluation, shown);
+      else if (shown) viewport.setModel(null);
+      shown = evaluation;
+    }),
+    effect(() => {
+      const evaluation = evaluator.result.value;
+      const step = state.step.value;
+      const { handle: selected } = state.selection.value;
+      if (!evaluation || !step || evaluation.step.id !== step.id) return;
+      const count = evaluation.input.model.positions.length / 3;
+      const stroke = host.paint.value;
+      const regions: RegionPaint[] = [];
+      const roi =
+        stroke?.kind === 'roi' ? stroke.vertices : step.roi === 'all' ? null : indices(step.roi, count);
+      if (roi) regions.push({ id: 'roi', kind: 'roi', vertices: roi, visible: true, selected: false });
+      const painted = stroke?.kind === 'handle' ? stroke.vertices : null;
+      let replaced = false;
+      step.handles.forEach((handle, i) => {
+        if (handle.kind !== 'region') return;
+        const isPainted = painted !== null && i === selected;
+        replaced ||= isPainted;
+        const vertices = isPainted ? painted : indices(handle.vertices, count);
+        const visible = !handle.hidden;
+        regions.push({ id: markerId(i), kind: 'handle', vertices, visible, selected: i === selected });
+      });
+      if (painted && !replaced)
+        regions.push({ id: 'stroke', kind: 'handle', vertices: painted, visible: true, selected: true });
+      viewport.setRegions(regions);
+      viewport.setMarkers(
+        step.handles.flatMap((handle, i) =>
+          handle.kind === 'point'
+            ? [
+                {
+                  id: markerId(i),
+                  position: handle.position,
+                  visible: !handle.hidden,
+                  selected: i === selected,
+                },
+              ]
+            : [],
+        ),
+      );
+    }),
+    effect(() => {
+      const evaluation = evaluator.result.value;
+      const step = state.step.value;
+      const { handle: index } = state.selection.value;
+      const mode = state.gizmo.value;
+      // While a gesture lasts the gizmo belongs to the hand that holds it.
+      if (state.previewing.value) return;
+      const handle = index === null ? undefined : step?.handles[index];
+      if (
+        !evaluation ||
+        !handle ||
+        handle.hidden ||
+        evaluation.step.id !== step?.id ||
+        state.tool.value !== 'select'
+      ) {
+        viewport.setGizmo(null);
+        return;
+      }
+      const matrix = gizmoFrame(handle, evaluation.input.model.positions);
+      viewport.setGizmo({ matrix, mode: handle.kind === 'point' ? 'translate' : mode }, gizmo);
+    }),
+    effect(() => viewport.setDisplay(state.display.value)),
+    effect(() => {
+      const values = state.stretch.value;
+      const on = state.heat.value && evaluator.result.value !== null;
+      viewport.setHeat(on && values ? { values, range: state.heatRange.value } : null);
+    }),
+    effect(() => {
+      if (state.tool.value === 'select' || state.tool.value === 'point-handle') viewport.setBrush(null);
+    }),
+  ];
+  return {
+    gizmo,
+    stop: () => {
+      for (const stop of stops) stop();
+    },
+  };
+}
+
+function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | null): void {
+  const { model, opened } = next.input;
+  if (before?.input.opened !== opened || before.input.key !== next.input.key) {
+    const { positions, faceOffsets, faceVertices, colors, upAxis } = model;
+    const { triangles, welded } = opened;
+    const keepCamera = before?.input.model.faceVertices === faceVertices;
+    viewport.setModel(
+      {
+        positions,
+        triangles,
+        faceOffsets,
+        faceVertices,
+        welded,
+        ...(colors && { colors }),
+        ...(upAxis && { upAxis }),
+      },
+      { keepCamera },
+    );
+  }
+  viewport.setPositions(next.positions);
+  if (next.settled) viewport.settlePositions();
+}
+
+/** What the open step did, asked of the kernel once it is settled. */
+export async function measure(kernel: KernelPort, { input, positions }: Evaluation, signal: AbortSignal) {
+  return kernel.call('measure', { model: input.opened.model, positions: positions.slice() }, { signal });
+}
