@@ -1,0 +1,160 @@
+import { Inflate } from 'fflate';
+import { LissomError } from '../core/errors';
+
+/** Bytes of all unpacked files together, and their number, beyond which an archive is refused. */
+export interface ZipLimits {
+  readonly bytes: number;
+  readonly files: number;
+}
+
+interface ZipEntry {
+  readonly name: string;
+  readonly method: number;
+  readonly checksum: number;
+  readonly packed: number;
+  readonly unpacked: number;
+  /** Where its local header begins. */
+  readonly header: number;
+}
+
+// Signatures and layouts: PKWARE APPNOTE.TXT 6.3, sections 4.3.7, 4.3.12 and 4.3.16.
+const LOCAL = 0x04034b50;
+const CENTRAL = 0x02014b50;
+const END = 0x06054b50;
+const END_SIZE = 22;
+const LONGEST_COMMENT = 65535;
+const STORED = 0;
+const DEFLATED = 8;
+/** Deflate makes at most about 1000 bytes of one: a slice this small cannot overrun the memory. */
+const SLICE = 16384;
+
+/**
+ * The files of a zip archive by name, folders left out. Sizes are limited twice: as declared, before anything is
+ * unpacked, and as they come out, since the declaration may lie.
+ *
+ * @throws LissomError `zip-damaged`, `zip-too-large`, `zip-unsafe-name`, `file-empty`
+ */
+export function readZip(bytes: Uint8Array, limits: ZipLimits): Map<string, Uint8Array> {
+  if (bytes.length === 0) throw new LissomError('file-empty', 'The archive is empty: 0 bytes.');
+  const entries = readDirectory(bytes, limits).filter(({ name }) => !name.endsWith('/'));
+  const declared = entries.reduce((sum, { unpacked }) => sum + unpacked, 0);
+  if (declared > limits.bytes) throw tooLarge(limits);
+  const files = new Map<string, Uint8Array>();
+  let left = limits.bytes;
+  for (const entry of entries) {
+    checkName(entry.name);
+    if (files.has(entry.name)) throw damaged(`it holds “${entry.name}” twice`);
+    const content = unpack(bytes, entry, left, limits);
+    left -= content.length;
+    files.set(entry.name, content);
+  }
+  return files;
+}
+
+/** @throws LissomError `zip-unsafe-name` for a name that could lead out of the folder it is unpacked to */
+export function checkName(name: string): void {
+  const parts = name.split('/');
+  const plain =
+    !/[\\:\p{Cc}]/u.test(name) && parts.every((part) => part !== '' && part !== '.' && part !== '..');
+  if (plain) return;
+  const message = `The archive holds a file called “${name}”, which points out of it. It was not opened.`;
+  throw new LissomError('zip-unsafe-name', message);
+}
+
+function readDirectory(bytes: Uint8Array, limits: ZipLimits): ZipEntry[] {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const end = findEnd(view);
+  const count = view.getUint16(end + 10, true);
+  if (count > limits.files) throw tooLarge(limits);
+  const entries: ZipEntry[] = [];
+  let at = view.getUint32(end + 16, true);
+  for (let i = 0; i < count; i++) {
+    if (at + 46 > end || view.getUint32(at, true) !== CENTRAL)
+      throw damaged('its table of contents is broken');
+    if (view.getUint16(at + 8, true) & 1) throw damaged('it is locked with a password');
+    const nameLength = view.getUint16(at + 28, true);
+    const next = at + 46 + nameLength + view.getUint16(at + 30, true) + view.getUint16(at + 32, true);
+    entries.push({
+      name: new TextDecoder().decode(bytes.subarray(at + 46, at + 46 + nameLength)),
+      method: view.getUint16(at + 10, true),
+      checksum: view.getUint32(at + 16, true),
+      packed: view.getUint32(at + 20, true),
+      unpacked: view.getUint32(at + 24, true),
+      header: view.getUint32(at + 42, true),
+    });
+    at = next;
+  }
+  return entries;
+}
+
+function findEnd(view: DataView): number {
+  const first = Math.max(0, view.byteLength - END_SIZE - LONGEST_COMMENT);
+  for (let at = view.byteLength - END_SIZE; at >= first; at--)
+    if (view.getUint32(at, true) === END) return at;
+  throw damaged('its end is missing, so it is no zip archive or was cut short');
+}
+
+function unpack(bytes: Uint8Array, entry: ZipEntry, left: number, limits: ZipLimits): Uint8Array {
+  const { name, method, packed, unpacked, header } = entry;
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  if (header + 30 > bytes.length || view.getUint32(header, true) !== LOCAL)
+    throw damaged(`“${name}” is missing`);
+  const start = header + 30 + view.getUint16(header + 26, true) + view.getUint16(header + 28, true);
+  if (start + packed > bytes.length) throw damaged(`“${name}” is cut short`);
+  const content = bytes.subarray(start, start + packed);
+  let out: Uint8Array;
+  if (method === STORED) out = content.slice();
+  else if (method === DEFLATED) out = inflate(content, name, unpacked, Math.min(left, unpacked), limits);
+  else throw damaged(`“${name}” is packed in an unusual way`);
+  if (out.length !== unpacked || crc32(out) !== entry.checksum)
+    throw damaged(`the content of “${name}” is broken`);
+  return out;
+}
+
+function inflate(
+  content: Uint8Array,
+  name: string,
+  size: number,
+  most: number,
+  limits: ZipLimits,
+): Uint8Array {
+  const out = new Uint8Array(size);
+  let length = 0;
+  const stream = new Inflate((chunk) => {
+    if (length + chunk.length > most) throw tooLarge(limits);
+    out.set(chunk, length);
+    length += chunk.length;
+  });
+  try {
+    for (let at = 0; at < content.length; at += SLICE)
+      stream.push(content.subarray(at, at + SLICE), at + SLICE >= content.length);
+  } catch (error) {
+    if (error instanceof LissomError) throw error;
+    throw damaged(`the content of “${name}” is broken`);
+  }
+  return out.subarray(0, length);
+}
+
+const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
+  let c = byte;
+  for (let k = 0; k < 8; k++) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
+  return c;
+});
+
+function crc32(bytes: Uint8Array): number {
+  let c = 0xffffffff;
+  for (let i = 0; i < bytes.length; i++) c = CRC_TABLE[(c ^ bytes[i]!) & 255]! ^ (c >>> 8);
+  return ~c >>> 0;
+}
+
+function damaged(what: string): LissomError {
+  const message = `The archive cannot be opened: ${what}. Fetch or save it again.`;
+  return new LissomError('zip-damaged', message);
+}
+
+function tooLarge({ bytes, files }: ZipLimits): LissomError {
+  const message =
+    `The archive unpacks to more than ${Math.round(bytes / 1e6)} MB or ${files} files, which is refused. ` +
+    'Unpack it yourself and open the models one by one.';
+  return new LissomError('zip-too-large', message);
+}
