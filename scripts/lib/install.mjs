@@ -63,6 +63,8 @@ export function installTestTools() {
   must(process.execPath, tool('playwright', 'install', 'chromium'));
 }
 
+let listsRefreshed = false;
+
 function install(wanted) {
   const missing = wanted.filter(({ found }) => !found());
   if (missing.length === 0) return;
@@ -73,8 +75,8 @@ function install(wanted) {
   const [program, ...before] = [...become, 'apt-get'];
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
   const packages = missing.map(({ debian }) => debian);
-  if (run(program, [...before, 'update', '-q'], { env }) !== 0)
-    console.warn('The package lists could not be refreshed; trying with those at hand.');
+  listsRefreshed ||= run(program, [...before, 'update', '-q'], { env }) === 0;
+  if (!listsRefreshed) console.warn('The package lists could not be refreshed; trying with those at hand.');
   must(program, [...before, 'install', '-y', '-q', '--no-install-recommends', ...packages], { env });
 }
 
