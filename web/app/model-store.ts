@@ -1,6 +1,7 @@
 // Where the app's models come from: the gallery by name, opened files by name and content.
 
 import { LissomError } from '../core/errors';
+import { Hasher } from '../core/hash';
 import type { Model } from '../core/model';
 import { readModel } from '../io/formats';
 import type { ImportNote } from '../io/notes';
@@ -79,7 +80,9 @@ export class ModelStore implements ModelSource {
   }
 }
 
+/** Where the page is not a secure context the browser gives no SHA-256; the quick hash tells files apart too. */
 export async function sha256(bytes: Uint8Array): Promise<string> {
+  if (!globalThis.crypto?.subtle) return new Hasher().bytes(bytes).digest();
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes as Uint8Array<ArrayBuffer>));
   return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
 }

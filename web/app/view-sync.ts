@@ -2,7 +2,6 @@
 
 import { effect } from '@preact/signals';
 import { toIndices } from '../core/vertex-set';
-import type { KernelPort } from '../kernel/contract';
 import type { DeformHandle } from '../recipe/recipe';
 import { GizmoDrag, gizmoFrame } from '../tools/deform/gizmo-drag';
 import { markerId } from '../tools/deform/host';
@@ -143,9 +142,4 @@ function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | nul
   }
   viewport.setPositions(next.positions);
   if (next.settled) viewport.settlePositions();
-}
-
-/** What the open step did, asked of the kernel once it is settled. */
-export async function measure(kernel: KernelPort, { input, positions }: Evaluation, signal: AbortSignal) {
-  return kernel.call('measure', { model: input.opened.model, positions: positions.slice() }, { signal });
 }

@@ -1,0 +1,18 @@
+import type { ViewportPort } from '../../view/types';
+import type { DeformService, FileService, SettingsService } from '../api';
+import type { Document } from '../document';
+import type { State } from '../state';
+
+/** What commands act on. */
+export interface CommandContext {
+  readonly state: State;
+  readonly document: Document;
+  readonly deform: DeformService;
+  readonly files: FileService;
+  readonly settings: SettingsService;
+  readonly viewport: ViewportPort | null;
+  readonly gestures: {
+    /** Ends a gesture under way without a trace. @returns whether there was one */
+    cancel(): boolean;
+  };
+}

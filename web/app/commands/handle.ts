@@ -1,0 +1,105 @@
+import type { GizmoMode } from '../../view/types';
+import type { Command } from '../commands';
+import type { MessageKey } from '../i18n';
+import type { CommandContext } from './context';
+
+export function handleCommands({ state, deform, document }: CommandContext): Command[] {
+  const group = 'handle';
+  const index = () => state.selection.value.handle;
+  const selected = () => index() !== null;
+  const count = () => state.step.value?.handles.length ?? 0;
+  const onSelected = (act: (handle: number) => void) => () => {
+    const handle = index();
+    if (handle !== null) act(handle);
+  };
+  const next = (by: number) => () => {
+    const from = index() ?? (by > 0 ? -1 : 0);
+    document.select((from + by + count()) % count());
+  };
+  const gizmo = (mode: GizmoMode, name: 'move' | 'rotate' | 'scale', icon: string, key: string): Command => ({
+    id: `gizmo.${name}`,
+    group,
+    title: `command.gizmo.${name}` satisfies MessageKey,
+    icon,
+    keys: [key],
+    checked: () => state.gizmo.value === mode,
+    run: () => {
+      state.tool.value = 'select';
+      state.gizmo.value = mode;
+    },
+  });
+  return [
+    {
+      id: 'handle.new',
+      group,
+      title: 'command.handle.new',
+      icon: 'plus',
+      keys: ['N'],
+      enabled: () => state.step.value !== undefined,
+      run: () => {
+        document.select(null);
+        state.tool.value = 'paint-handle';
+      },
+    },
+    {
+      id: 'handle.delete',
+      group,
+      title: 'command.handle.delete',
+      icon: 'trash-2',
+      keys: ['Delete', 'Backspace'],
+      enabled: selected,
+      run: onSelected((handle) => deform.remove(handle)),
+    },
+    {
+      id: 'handle.hide',
+      group,
+      title: 'command.handle.hide',
+      icon: 'eye-off',
+      enabled: selected,
+      run: onSelected((handle) => deform.hide(handle, !state.step.value?.handles[handle]?.hidden)),
+    },
+    {
+      id: 'handle.reset',
+      group,
+      title: 'command.handle.reset',
+      icon: 'rotate-ccw',
+      enabled: selected,
+      run: onSelected((handle) => deform.reset(handle)),
+    },
+    {
+      id: 'handle.deselect',
+      group,
+      title: 'command.handle.deselect',
+      enabled: selected,
+      run: () => document.select(null),
+    },
+    {
+      id: 'handle.next',
+      group,
+      title: 'command.handle.next',
+      keys: ['.'],
+      enabled: () => count() > 0,
+      run: next(1),
+    },
+    {
+      id: 'handle.previous',
+      group,
+      title: 'command.handle.previous',
+      keys: [','],
+      enabled: () => count() > 0,
+      run: next(-1),
+    },
+    gizmo('translate', 'move', 'move', 'W'),
+    gizmo('rotate', 'rotate', 'rotate-3d', 'E'),
+    gizmo('scale', 'scale', 'scale-3d', 'R'),
+    {
+      id: 'step.apply',
+      group,
+      title: 'command.step.apply',
+      icon: 'check',
+      keys: ['Mod+Enter'],
+      enabled: () => count() > 0,
+      run: () => deform.applyAndContinue(),
+    },
+  ];
+}

@@ -1,0 +1,135 @@
+// The status bar's numbers and "what the edit did", worked out from each result.
+
+import { batch, effect } from '@preact/signals';
+import { isCancelled } from '../core/errors';
+import { faceCount, vertexCount } from '../core/model';
+import { toIndices } from '../core/vertex-set';
+import type { KernelPort, Measured, OpenedModel } from '../kernel/contract';
+import type { DeformHandle } from '../recipe/recipe';
+import type { ModelResult } from '../run/types';
+import { pointAt, transform } from '../tools/geometry';
+import type { Evaluation, Evaluator } from './evaluation';
+import type { ModelFacts, State, WhatItDid } from './state';
+
+export const factsOf = ({ model, opened }: Pick<ModelResult, 'model' | 'opened'>): ModelFacts => ({
+  name: model.name,
+  vertices: vertexCount(model),
+  faces: faceCount(model),
+  components: opened.components,
+  boundaryLoops: opened.boundaryLoops,
+  closed: opened.closed,
+});
+
+/** A handle counts as met when none of its vertices is further off than this part of the model's extent. */
+const EXACT = 1e-9;
+
+/** @returns the function that ends it */
+export function syncFigures(
+  state: State,
+  evaluator: Pick<Evaluator, 'result'>,
+  kernel: KernelPort,
+  failed: (error: unknown) => void,
+): () => void {
+  let abort = new AbortController();
+  return effect(() => {
+    const evaluation = evaluator.result.value;
+    abort.abort();
+    abort = new AbortController();
+    batch(() => publish(state, evaluation));
+    if (evaluation?.settled && evaluation.report)
+      measure(kernel, evaluation, abort.signal)
+        .then((measured) => {
+          state.stretch.value = measured.stretch;
+          state.whatItDid.value = whatItDid(evaluation, measured);
+        })
+        .catch((error: unknown) => {
+          if (!isCancelled(error) && !isRestart(error)) failed(error);
+        });
+  });
+}
+
+function publish(state: State, evaluation: Evaluation | null): void {
+  if (!evaluation) {
+    state.model.value = null;
+    state.facts.value = null;
+    state.whatItDid.value = null;
+    state.stretch.value = null;
+    state.warnings.value = [];
+    return;
+  }
+  const { input, report, settled, elapsed } = evaluation;
+  const old = state.figures.peek();
+  const facts = factsOf(input);
+  if (state.model.peek() !== input.model) {
+    state.model.value = input.model;
+    state.facts.value = facts;
+  }
+  const { factor, solve = 0, rotate = 0, reconstruct = 0 } = report?.seconds ?? {};
+  state.figures.value = {
+    ...old,
+    vertices: facts.vertices,
+    faces: facts.faces,
+    free: typeof report?.free === 'number' ? report.free : null,
+    factor: factor ? 1000 * factor : report ? old.factor : null,
+    solve: report ? 1000 * (solve + rotate + reconstruct) : null,
+    drag: settled ? old.drag : elapsed,
+  };
+  state.warnings.value = report?.warnings ?? [];
+  if (!report) {
+    state.whatItDid.value = null;
+    state.stretch.value = null;
+  }
+}
+
+const measure = (kernel: KernelPort, { input, positions }: Evaluation, signal: AbortSignal) =>
+  kernel.call('measure', { model: input.opened.model, positions: positions.slice() }, { signal });
+
+export function whatItDid(evaluation: Evaluation, measured: Measured): WhatItDid {
+  const { step, input, positions } = evaluation;
+  const { volumeRatio, worstStretch, edgeRms, flippedTriangles } = measured;
+  const rest = input.model.positions;
+  const limit = EXACT * extent(rest);
+  const met = step.handles.filter((handle) => gap(handle, rest, positions, input.opened) <= limit).length;
+  const closed = input.opened.closed;
+  return {
+    volumeRatio,
+    closed,
+    worstStretch,
+    edgeRms,
+    flippedTriangles,
+    handlesMet: met,
+    handles: step.handles.length,
+  };
+}
+
+/** How far the worst vertex of a handle is from where the handle wants it. */
+function gap(handle: DeformHandle, rest: Float64Array, posed: Float64Array, { welded }: OpenedModel): number {
+  let worst = 0;
+  for (const v of toIndices(handle.vertices, rest.length / 3)) {
+    if (welded[v]! < 0) continue;
+    const wanted = handle.kind === 'point' ? handle.position : transform(handle.matrix, pointAt(rest, v));
+    const found = pointAt(posed, v);
+    worst = Math.max(worst, Math.hypot(found[0] - wanted[0]!, found[1] - wanted[1]!, found[2] - wanted[2]!));
+  }
+  return worst;
+}
+
+function extent(positions: Float64Array): number {
+  let [low, high] = [Infinity, -Infinity];
+  let size = 0;
+  for (let axis = 0; axis < 3; axis++) {
+    [low, high] = [Infinity, -Infinity];
+    for (let i = axis; i < positions.length; i += 3) {
+      const x = positions[i]!;
+      if (!Number.isFinite(x)) continue;
+      low = Math.min(low, x);
+      high = Math.max(high, x);
+    }
+    if (high > low) size = Math.max(size, high - low, Math.abs(high), Math.abs(low));
+  }
+  return size;
+}
+
+/** The next result brings new ids and is measured with them. */
+const isRestart = (error: unknown): boolean =>
+  error instanceof Error && 'code' in error && error.code === 'worker-restarted';
