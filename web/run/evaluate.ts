@@ -1,0 +1,194 @@
+// Recipe -> results: a pure function of the recipe and its models, with caches that only save time.
+
+import { cancelled, LissomError } from '../core/errors';
+import { hashValue } from '../core/hash';
+import { Lru } from '../core/lru';
+import { faceCount, type Model, vertexCount } from '../core/model';
+import type { KernelPort, Measured } from '../kernel/contract';
+import { referencesOf } from '../recipe/cross-checks';
+import { stepById } from '../recipe/edit';
+import type { Recipe, Step } from '../recipe/recipe';
+import { modelPlace, type Plan, plan, stepPlace } from './plan';
+import { KernelSession } from './session';
+import { runnerOf } from './steps/all';
+import type { StepOutcome } from './steps/step-runner';
+import { type ModelResult, type ModelSource, placed, type StepResult } from './types';
+
+export interface RunOptions {
+  /** Id of the last step wanted; only what it depends on is run. All steps when left out. */
+  readonly until?: string;
+  readonly signal?: AbortSignal;
+  /** @param fraction  of all steps, in [0, 1]; @param step  the one under way */
+  readonly onProgress?: (fraction: number, step: Step) => void;
+  /** False: quick previews will do (the first solve of a deform step). */
+  readonly settle?: boolean;
+  /** Also measure what the last step did to its input. */
+  readonly measure?: boolean;
+}
+
+/** Bytes of positions that cached results may hold. */
+const RESULT_BYTES = 256 * 1024 * 1024;
+/** A run may meet the end of a worker that somebody else's cancel had replaced, and once more that of its own. */
+const ATTEMPTS = 3;
+
+interface Cached extends StepOutcome {
+  measured?: Measured;
+}
+
+/** A model on its way through the steps. */
+interface Stage {
+  readonly model: Model;
+  readonly key: string;
+  readonly place: string;
+}
+
+export class Runner {
+  readonly #source: ModelSource;
+  readonly #session: KernelSession;
+  readonly #results = new Lru<Cached>(RESULT_BYTES);
+  readonly #serials = new WeakMap<Model, number>();
+  #nextSerial = 1;
+  #last: Promise<unknown> = Promise.resolve();
+
+  constructor({ kernel, models }: { readonly kernel: KernelPort; readonly models: ModelSource }) {
+    this.#source = models;
+    this.#session = new KernelSession(kernel);
+  }
+
+  /**
+   * The results of the steps asked for and of those they depend on, by step id. Runs asked for at the same time
+   * follow each other.
+   *
+   * @throws LissomError  the user's (`index-out-of-range`, what readers and kernel refuse), the machine's, `cancelled`;
+   *                      as a PlacedError where a step or model is to blame
+   */
+  run(recipe: Recipe, options: RunOptions = {}): Promise<Map<string, StepResult>> {
+    return this.#inTurn(async () => {
+      if (options.signal?.aborted) throw cancelled();
+      const planned = await plan(recipe, this.#source, options.until);
+      return this.#persistently(options.signal, () => this.#run(recipe, planned, options));
+    });
+  }
+
+  /** The opened model that a step starts from, or that a model's name stands for. */
+  input(
+    recipe: Recipe,
+    id: string,
+    { signal }: { readonly signal?: AbortSignal } = {},
+  ): Promise<ModelResult> {
+    const step = stepById(recipe, id);
+    const name = step ? referencesOf(step)[0]!.name : id;
+    return this.#inTurn(async () => {
+      const planned = await plan(recipe, this.#source, name);
+      return this.#persistently(signal, async () => {
+        const stages = this.#stages(recipe, planned);
+        await this.#run(recipe, planned, signal ? { signal } : {}, stages);
+        return this.#open(stages.get(name)!, signal);
+      });
+    });
+  }
+
+  async #run(
+    recipe: Recipe,
+    { steps, models }: Plan,
+    options: RunOptions,
+    stages = this.#stages(recipe, { steps, models }),
+  ): Promise<Map<string, StepResult>> {
+    const { signal, settle = true, measure = false } = options;
+    const results = new Map<string, StepResult>();
+    for (const [at, { step, index }] of steps.entries()) {
+      if (signal?.aborted) throw cancelled();
+      const inputs: ModelResult[] = [];
+      for (const { name } of referencesOf(step)) inputs.push(await this.#open(stages.get(name)!, signal));
+      const onProgress = (fraction: number) => options.onProgress?.((at + fraction) / steps.length, step);
+      const context = { inputs, kernel: this.#session, settle, signal, onProgress };
+      const place = stepPlace(index, step);
+      const key = this.#resultKey(step, inputs, settle);
+      const outcome = await placed(place, () => this.#outcome(key, () => runnerOf(step).run(step, context)));
+      if (measure && at === steps.length - 1) await this.#measure(outcome, inputs[0]!, signal);
+      stages.set(step.id, { model: outcome.model, key, place });
+      results.set(step.id, resultOf(recipe, step, inputs[0]!, outcome));
+      onProgress(1);
+    }
+    return results;
+  }
+
+  #stages(recipe: Recipe, { models }: Plan): Map<string, Stage> {
+    const stages = new Map<string, Stage>();
+    for (const [name, model] of models)
+      stages.set(name, {
+        model,
+        key: this.#session.keyOf(model),
+        place: modelPlace(name, recipe.models[name]!),
+      });
+    return stages;
+  }
+
+  #open({ model, key, place }: Stage, signal: AbortSignal | undefined): Promise<ModelResult> {
+    return placed(place, () => this.#session.open(model, signal, key));
+  }
+
+  async #outcome(key: string, run: () => Promise<StepOutcome>): Promise<Cached> {
+    const known = this.#results.get(key);
+    if (known) return known;
+    const outcome: Cached = await run();
+    this.#results.set(key, outcome, outcome.model.positions.byteLength + 1);
+    return outcome;
+  }
+
+  async #measure(outcome: Cached, input: ModelResult, signal: AbortSignal | undefined): Promise<void> {
+    const { positions } = outcome.model;
+    const args = { model: input.opened.model, positions };
+    outcome.measured ??= await this.#session.call('measure', args, signal ? { signal } : {});
+  }
+
+  /** Models count by identity here: equal geometry may come with other names or colours, which results carry on. */
+  #resultKey(step: Step, inputs: readonly ModelResult[], settle: boolean): string {
+    const models = inputs.map(({ model, key }) => [key, this.#serial(model)]);
+    return hashValue({ type: step.type, settle, models, content: runnerOf(step).content(step) });
+  }
+
+  #serial(model: Model): number {
+    const serial = this.#serials.get(model) ?? this.#nextSerial++;
+    this.#serials.set(model, serial);
+    return serial;
+  }
+
+  /** Work lost with a worker is done again from the recipe. */
+  async #persistently<T>(signal: AbortSignal | undefined, work: () => Promise<T>): Promise<T> {
+    for (let attempt = 1; ; attempt++) {
+      try {
+        return await work();
+      } catch (error) {
+        const lost = error instanceof LissomError && error.code === 'worker-restarted';
+        if (!lost || attempt === ATTEMPTS || signal?.aborted)
+          throw signal?.aborted && lost ? cancelled() : error;
+      }
+    }
+  }
+
+  #inTurn<T>(work: () => Promise<T>): Promise<T> {
+    const turn = this.#last.then(work);
+    this.#last = turn.catch(() => {});
+    return turn;
+  }
+}
+
+function resultOf(recipe: Recipe, step: Step, input: ModelResult, outcome: Cached): StepResult {
+  const { model, figures, seconds, peakBytes, warnings, measured } = outcome;
+  // What was found in a model is told by the steps that start from it, not again by those that follow.
+  const found = referencesOf(step).some(({ name }) => Object.hasOwn(recipe.models, name))
+    ? input.opened.findings
+    : [];
+  const report = {
+    id: step.id,
+    type: step.type,
+    vertices: vertexCount(model),
+    faces: faceCount(model),
+    ...figures,
+    seconds,
+    peakBytes,
+    warnings: [...found, ...warnings],
+  };
+  return { model, input, report, ...(measured ? { measured } : {}) };
+}
