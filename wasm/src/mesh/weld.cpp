@@ -57,7 +57,7 @@ std::vector<int> exact_twins(const Points& points, const std::vector<bool>& used
             continue;
         Key key;
         for (int axis = 0; axis < 3; ++axis)
-            key[axis] = std::bit_cast<std::uint64_t>(points(v, axis) + 0.0); // −0 + 0 is 0
+            key[axis] = Eigen::numext::bit_cast<std::uint64_t>(points(v, axis) + 0.0); // −0 + 0 is 0
         const int number = numbers.find_or_add(key);
         if (number == static_cast<int>(first.size()))
             first.push_back(v);
