@@ -102,6 +102,8 @@ function unpack(bytes: Uint8Array, entry: ZipEntry, left: number, limits: ZipLim
   const start = header + 30 + view.getUint16(header + 26, true) + view.getUint16(header + 28, true);
   if (start + packed > bytes.length) throw damaged(`“${name}” is cut short`);
   const content = bytes.subarray(start, start + packed);
+  // A larger ratio than deflate can reach is a lie, and would set memory aside for nothing.
+  if (unpacked > 1100 * (packed + 1)) throw damaged(`the size of “${name}” cannot be true`);
   let out: Uint8Array;
   if (method === STORED) out = content.slice();
   else if (method === DEFLATED) out = inflate(content, name, unpacked, Math.min(left, unpacked), limits);
