@@ -10,6 +10,9 @@ namespace {
 /// A corner this close to straight (sine of its turn) is no ear: its triangle would have no area.
 constexpr double k_straight = 1e-10;
 
+/// An outline that leaves no ear this often crosses itself everywhere: it has no inside to keep clear of.
+constexpr int k_patience = 64;
+
 double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     return (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
 }
@@ -45,9 +48,12 @@ public:
 
 private:
     struct Ear {
+        bool hollow; ///< not convex: taken only when all else fails
         double cut;
         int corner, version;
         bool operator<(const Ear& other) const { // the queue's top is its largest: shortest cut, then first corner
+            if (hollow != other.hollow)
+                return hollow;
             return cut != other.cut ? cut > other.cut : corner > other.corner;
         }
     };
@@ -76,31 +82,42 @@ private:
     [[nodiscard]] double cut_length(int i) const { return (p_[prev_[i]] - p_[next_[i]]).squaredNorm(); }
 
     void offer(int i) {
-        if (convex_[i] && !is_blocked(i))
-            ears_.push({cut_length(i), i, version_[i]});
+        if (times_stuck_ > k_patience || (convex_[i] && !is_blocked(i)))
+            ears_.push({!convex_[i], cut_length(i), i, version_[i]});
     }
 
     int best_ear() {
-        while (!ears_.empty()) {
-            const Ear ear = ears_.top();
-            ears_.pop();
-            if (!gone_[ear.corner] && version_[ear.corner] == ear.version)
-                return ear.corner;
+        for (;;) {
+            while (!ears_.empty()) {
+                const Ear ear = ears_.top();
+                ears_.pop();
+                if (!gone_[ear.corner] && version_[ear.corner] == ear.version)
+                    return ear.corner;
+            }
+            // What is left crosses itself or has no area: cut a corner although something is in the way, so that
+            // the work ends with every corner used.
+            if (++times_stuck_ <= k_patience)
+                return least_bad();
+            for_each_left([&](int i) { offer(i); });
         }
-        // What is left crosses itself or has no area: cut a convex corner although something is in the way,
-        // or any corner at all, so that the work ends with every corner used.
-        int best = -1;
-        for (int i = first_left(), count = 0; count < left_; i = next_[i], ++count)
-            if (best < 0 || (convex_[i] && !convex_[best])
-                || (convex_[i] == convex_[best] && cut_length(i) < cut_length(best)))
-                best = i;
-        return best;
     }
 
-    int first_left() {
+    int least_bad() {
+        Ear best{true, 0, -1, 0};
+        for_each_left([&](int i) {
+            const Ear ear{!convex_[i], cut_length(i), i, 0};
+            if (best.corner < 0 || best < ear)
+                best = ear;
+        });
+        return best.corner;
+    }
+
+    template <class Visit>
+    void for_each_left(Visit visit) {
         while (gone_[first_])
             ++first_;
-        return first_;
+        for (int i = first_, count = 0; count < left_; i = next_[i], ++count)
+            visit(i);
     }
 
     void cut(int i) {
@@ -125,7 +142,7 @@ private:
     }
 
     const std::vector<Eigen::Vector2d>& p_;
-    int left_, first_ = 0;
+    int left_, first_ = 0, times_stuck_ = 0;
     std::vector<int> prev_, next_, version_;
     std::vector<bool> gone_, convex_;
     std::vector<int> blockers_; ///< ascending x; may still hold corners that have since become harmless

@@ -1,10 +1,10 @@
 #include "lissom/mesh/working_mesh.h"
 
+#include "welding.h"
+
 #include "lissom/mesh/errors.h"
-#include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/orientation.h"
 #include "lissom/mesh/topology.h"
-#include "lissom/mesh/weld.h"
 
 #include <algorithm>
 #include <limits>
@@ -62,67 +62,6 @@ void check(const PolygonMesh& source) {
         throw InvalidInput("bad-offsets", "The faces' offsets do not fit their corners.");
 }
 
-/// Triangles on their way into the working copy, with the source face of each.
-struct Selection {
-    Triangles triangles;
-    std::vector<int> polygon_of_triangle;
-    std::vector<int> dropped; ///< faces of what `keep` left out last
-
-    template <class Wanted>
-    void keep(Wanted wanted) {
-        int count = 0;
-        dropped.clear();
-        for (int t = 0; t < triangles.rows(); ++t) {
-            if (!wanted(t)) {
-                dropped.push_back(polygon_of_triangle[t]);
-                continue;
-            }
-            triangles.row(count) = triangles.row(t).eval();
-            polygon_of_triangle[count++] = polygon_of_triangle[t];
-        }
-        triangles.conservativeResize(count, 3);
-        polygon_of_triangle.resize(count);
-        dropped.erase(std::unique(dropped.begin(), dropped.end()), dropped.end()); // faces come in order
-    }
-    void map(const std::vector<int>& vertex) {
-        for (int& v : triangles.reshaped())
-            v = vertex[v];
-    }
-    void drop_collapsed() {
-        keep([&](int t) {
-            const auto c = triangles.row(t);
-            return c[0] != c[1] && c[1] != c[2] && c[2] != c[0];
-        });
-    }
-    void drop_repeated() {
-        const std::vector<bool> repeated = repeated_triangles(triangles);
-        keep([&](int t) { return !repeated[t]; });
-    }
-    [[nodiscard]] std::vector<bool> used(int vertex_count) const {
-        std::vector<bool> flags(vertex_count, false);
-        for (const int v : triangles.reshaped())
-            flags[v] = true;
-        return flags;
-    }
-};
-
-/// Vertices that a near twin may stand beside: on a boundary, and with edges long enough that welding within
-/// the tolerance can neither fold a triangle nor eat fine detail.
-std::vector<int> weldable(const TriangleMesh& mesh, double tolerance) {
-    std::vector<bool> on_boundary(mesh.vertex_count(), false), has_short_edge(mesh.vertex_count(), false);
-    for (const Edge& e : edges(mesh)) {
-        if (e.forward + e.backward == 1)
-            on_boundary[e.a] = on_boundary[e.b] = true;
-        if ((mesh.points.row(e.a) - mesh.points.row(e.b)).norm() < 4 * tolerance)
-            has_short_edge[e.a] = has_short_edge[e.b] = true;
-    }
-    std::vector<int> found;
-    for (int v = 0; v < mesh.vertex_count(); ++v)
-        if (on_boundary[v] && !has_short_edge[v])
-            found.push_back(v);
-    return found;
-}
-
 /// Height per longest side of each triangle; 0 where it is a point.
 Eigen::VectorXd slenderness(const TriangleMesh& mesh) {
     Eigen::VectorXd ratios(mesh.triangle_count());
@@ -133,6 +72,23 @@ Eigen::VectorXd slenderness(const TriangleMesh& mesh) {
         ratios[t] = longest2 > 0 ? a.cross(b).norm() / longest2 : 0;
     }
     return ratios;
+}
+
+/// Lists what cannot take part.
+void report_unusable(const PolygonMesh& source, const std::vector<bool>& finite, Report& report) {
+    std::vector<int> out_of_range, too_small;
+    for (int f = 0; f < source.face_count(); ++f) {
+        const FaceVerdict verdict = face_verdict(source, f, finite);
+        if (verdict == FaceVerdict::out_of_range)
+            out_of_range.push_back(f);
+        else if (verdict == FaceVerdict::too_small)
+            too_small.push_back(f);
+    }
+    std::vector<bool> not_finite = finite;
+    not_finite.flip();
+    report.add("non-finite-vertex", where(not_finite), true);
+    report.add("index-out-of-range", out_of_range, true);
+    report.add("face-too-small", too_small, true);
 }
 
 /// Normalises the used vertices, numbers them, and keeps the way back.
@@ -158,18 +114,18 @@ void settle_vertices(WorkingMesh& out, const Selection& chosen, const std::vecto
 
 /// What the finished copy is like: all but what was found on the way there.
 void describe(WorkingMesh& out, Report& report) {
-    const VertexRings rings = vertex_rings(out.mesh);
-    const Components parts = components(rings);
+    const Components parts = components(vertex_rings(out.mesh));
     out.component_count = parts.count;
-    out.euler_characteristic = euler_characteristic(out.mesh);
     const auto source_of = [&](std::vector<int> vertices) {
         for (int& v : vertices)
             v = out.source_of_working[v];
         return vertices;
     };
 
+    const std::vector<Edge> all = edges(out.mesh);
+    out.euler_characteristic = out.mesh.vertex_count() - static_cast<int>(all.size()) + out.mesh.triangle_count();
     std::vector<int> crowded;
-    for (const Edge& e : edges(out.mesh)) {
+    for (const Edge& e : all) {
         if (e.forward + e.backward > 2)
             crowded.push_back(e.a);
         out.closed = out.closed && e.forward + e.backward != 1;
@@ -183,8 +139,9 @@ void describe(WorkingMesh& out, Report& report) {
             first_of_part.push_back(v);
     if (parts.count > 1)
         report.add("several-components", source_of(first_of_part), false);
-    for (const std::vector<int>& loop : boundary_loops(out.mesh))
-        first_of_loop.push_back(loop.front());
+    if (!out.closed)
+        for (const std::vector<int>& loop : boundary_loops(out.mesh))
+            first_of_loop.push_back(loop.front());
     out.boundary_loop_count = static_cast<int>(first_of_loop.size());
     report.add("open-boundary", source_of(first_of_loop), false);
 
@@ -215,19 +172,7 @@ WorkingMesh make_working_mesh(const PolygonMesh& source) {
     Report report;
 
     const std::vector<bool> finite = finite_vertices(source.points);
-    std::vector<int> out_of_range, too_small;
-    for (int f = 0; f < source.face_count(); ++f) {
-        const FaceVerdict verdict = face_verdict(source, f, finite);
-        if (verdict == FaceVerdict::out_of_range)
-            out_of_range.push_back(f);
-        else if (verdict == FaceVerdict::too_small)
-            too_small.push_back(f);
-    }
-    std::vector<bool> not_finite = finite;
-    not_finite.flip();
-    report.add("non-finite-vertex", where(not_finite), true);
-    report.add("index-out-of-range", out_of_range, true);
-    report.add("face-too-small", too_small, true);
+    report_unusable(source, finite, report);
 
     Triangulation drawn = triangulate(source);
     out.display = drawn.triangles;
@@ -236,7 +181,7 @@ WorkingMesh make_working_mesh(const PolygonMesh& source) {
         throw InvalidInput("no-usable-faces", "None of the model's " + std::to_string(source.face_count())
                                                   + " faces has three different corners that exist and are finite.");
 
-    Selection chosen{std::move(drawn.triangles), std::move(drawn.polygon_of_triangle), {}};
+    Selection chosen{std::move(drawn.triangles), std::move(drawn.polygon_of_triangle)};
     const std::vector<bool> used = chosen.used(n);
     Eigen::AlignedBox3d box;
     for (int v = 0; v < n; ++v)
@@ -247,42 +192,11 @@ WorkingMesh make_working_mesh(const PolygonMesh& source) {
     if (!(out.scale > 0) || !((1 / out.scale) < std::numeric_limits<double>::infinity()))
         throw InvalidInput("zero-size", "All corners of the model's faces stand in one point.");
 
-    // Weld: exact twins first, then the near ones along what is still open.
-    std::vector<int> leader = exact_twins(source.points, used);
-    std::vector<int> twins, near;
-    for (int v = 0; v < n; ++v)
-        if (leader[v] >= 0 && leader[v] != v)
-            twins.push_back(v);
-    chosen.map(leader);
-    chosen.drop_collapsed();
-    std::vector<int> collapsed = chosen.dropped;
-    chosen.drop_repeated();
-    std::vector<int> repeated = chosen.dropped;
-
-    const double reach = k_weld_distance * out.scale;
-    const std::vector<int> open = weldable({source.points, chosen.triangles}, reach);
-    const std::vector<int> joined = near_twins(source.points, open, reach);
-    std::vector<int> target(n);
-    for (int v = 0; v < n; ++v)
-        target[v] = v;
-    for (std::size_t i = 0; i < open.size(); ++i)
-        if (joined[i] != open[i]) {
-            target[open[i]] = joined[i];
-            near.push_back(open[i]);
-        }
-    if (!near.empty()) {
-        for (int& v : leader)
-            v = v < 0 ? v : target[v];
-        chosen.map(target);
-        chosen.drop_collapsed();
-        collapsed.insert(collapsed.end(), chosen.dropped.begin(), chosen.dropped.end());
-        chosen.drop_repeated();
-        repeated.insert(repeated.end(), chosen.dropped.begin(), chosen.dropped.end());
-    }
+    const Welding welded = weld(source.points, used, k_weld_distance * out.scale, chosen);
     if (chosen.triangles.rows() == 0)
         throw InvalidInput("no-usable-faces", "Every face of the model shrinks to a line or a point once corners at "
                                               "the same position are joined.");
-    settle_vertices(out, chosen, leader, source.points);
+    settle_vertices(out, chosen, welded.leader, source.points);
     out.source = source.points;
 
     const Eigen::VectorXd heights = slenderness(out.mesh);
@@ -290,17 +204,10 @@ WorkingMesh make_working_mesh(const PolygonMesh& source) {
     for (int t = 0; t < out.mesh.triangle_count(); ++t)
         if (heights[t] < k_needle)
             (heights[t] < k_no_area ? flat : needles).push_back(t);
-    const bool all_collapsed = flat.empty();
-    std::vector<int> without_area = faces_of(flat, out.polygon_of_triangle);
-    without_area.insert(without_area.end(), collapsed.begin(), collapsed.end());
-    for (std::vector<int>* faces : {&without_area, &repeated}) {
-        std::sort(faces->begin(), faces->end());
-        faces->erase(std::unique(faces->begin(), faces->end()), faces->end());
-    }
-    report.add("zero-area-face", without_area, all_collapsed);
-    report.add("duplicate-vertices", twins, true);
-    report.add("near-duplicate-vertices", near, true);
-    report.add("duplicate-face", repeated, true);
+    report.add("zero-area-face", united(faces_of(flat, out.polygon_of_triangle), welded.collapsed), flat.empty());
+    report.add("duplicate-vertices", welded.exact, true);
+    report.add("near-duplicate-vertices", welded.near, true);
+    report.add("duplicate-face", welded.repeated, true);
     std::vector<int> unused;
     for (int v = 0; v < n; ++v)
         if (finite[v] && out.working_of_source[v] < 0)
