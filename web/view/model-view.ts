@@ -1,13 +1,5 @@
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DynamicDrawUsage,
-  type Material,
-  Mesh,
-  Sphere,
-  Vector3,
-} from 'three';
-import { facesInwards, VertexNormals } from './normals';
+import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Sphere, Vector3 } from 'three';
+import { facesInwards, isClosed, VertexNormals } from './normals';
 import { assignChannels, type Channel } from './region-channels';
 import { SurfaceGraph } from './surface-graph';
 import type { RegionPaint, ViewModel } from './types';
@@ -18,7 +10,10 @@ export class ModelView {
   readonly geometry = new BufferGeometry();
   readonly mesh: Mesh;
   readonly space: ViewSpace;
+  /** Encloses space with its faces turned inwards. */
   readonly inwards: boolean;
+  /** Has an outside only: nobody sees its inner side. */
+  readonly closed: boolean;
   readonly #normals: VertexNormals;
   readonly #position: BufferAttribute;
   readonly #normal: BufferAttribute;
@@ -26,10 +21,7 @@ export class ModelView {
   readonly #masks = new WeakMap<Uint32Array, ReturnType<SurfaceGraph['softMask']>>();
   readonly #touch = new WeakMap<Uint32Array, WeakMap<Uint32Array, boolean>>();
 
-  constructor(
-    readonly model: ViewModel,
-    material: Material,
-  ) {
+  constructor(readonly model: ViewModel) {
     const count = model.positions.length / 3;
     this.space = ViewSpace.around(model);
     this.posed = model.positions;
@@ -43,13 +35,14 @@ export class ModelView {
     }
     if (model.colors) this.geometry.setAttribute('paint', new BufferAttribute(model.colors, 4, true));
     this.#normals = new VertexNormals(model.triangles, model.welded);
-    this.mesh = new Mesh(this.geometry, material);
+    this.mesh = new Mesh(this.geometry);
     // The drawn size is known, and live deformation must not wait for new bounds.
     this.geometry.boundingSphere = new Sphere(new Vector3(), 4);
     this.mesh.frustumCulled = false;
     this.mesh.castShadow = true;
     this.mesh.receiveShadow = true;
     this.setPositions(model.positions);
+    this.closed = isClosed(model.triangles, model.welded);
     this.inwards = facesInwards(this.#position.array as Float32Array, model.triangles);
   }
 

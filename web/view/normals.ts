@@ -107,3 +107,23 @@ export function facesInwards(positions: Float32Array, triangles: Uint32Array): b
   }
   return volume < -1e-3 * area ** 1.5;
 }
+
+/**
+ * Whether the surface has no border and one orientation: every directed edge has its reverse. Compared by a
+ * sum of hashes, so a chance agreement of an open surface is thinkable; it would be drawn without its inside.
+ */
+export function isClosed(triangles: Uint32Array, welded: Int32Array): boolean {
+  let balance = 0;
+  for (let i = 0; i < triangles.length; i++) {
+    const a = welded[triangles[i]!]!;
+    const b = welded[triangles[i % 3 === 2 ? i - 2 : i + 1]!]!;
+    balance = (balance + edgeHash(a, b) - edgeHash(b, a)) | 0;
+  }
+  return triangles.length > 0 && balance === 0;
+}
+
+function edgeHash(a: number, b: number): number {
+  let h = Math.imul(a + 1, 0x9e3779b1) ^ Math.imul(b + 0x7f4a7c15, 0x85ebca6b);
+  h = Math.imul(h ^ (h >>> 15), 0xc2b2ae35);
+  return h ^ (h >>> 13);
+}

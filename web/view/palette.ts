@@ -3,6 +3,7 @@
 import type { RegionPaint } from './types';
 
 export interface Palette {
+  readonly exposure: number;
   /** Background gradient, top to bottom. */
   readonly sky: string;
   readonly floor: string;
@@ -12,12 +13,8 @@ export interface Palette {
   readonly shadowStrength: number;
   readonly wire: string;
   readonly wireStrength: number;
-  readonly text: string;
-  readonly muted: string;
   readonly panel: string;
-  readonly line: string;
   readonly warn: string;
-  readonly bad: string;
   readonly regions: Readonly<Record<RegionPaint['kind'], string>>;
   /** x, y, z. */
   readonly axes: readonly [string, string, string];
@@ -29,6 +26,7 @@ export const INTERIOR = '#7d4438';
 
 export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
   dark: {
+    exposure: 1.05,
     sky: '#1a1d21',
     floor: '#3c424b',
     grid: '#98a2ae',
@@ -36,12 +34,8 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     shadowStrength: 0.62,
     wire: '#14161a',
     wireStrength: 0.42,
-    text: '#e7eaee',
-    muted: '#98a2ae',
     panel: '#1d2025',
-    line: '#343a43',
     warn: '#f0a843',
-    bad: '#ff6b6b',
     regions: {
       roi: '#4f8cff',
       handle: '#a566ff',
@@ -53,6 +47,7 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     axes: ['#e8636b', '#7fbf5a', '#5b93f5'],
   },
   light: {
+    exposure: 1.2,
     sky: '#dfe3e8',
     floor: '#f4f5f7',
     grid: '#5b6672',
@@ -60,12 +55,8 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     shadowStrength: 0.4,
     wire: '#1b1f24',
     wireStrength: 0.4,
-    text: '#1b1f24',
-    muted: '#5b6672',
     panel: '#ffffff',
-    line: '#d6dbe1',
     warn: '#b36b00',
-    bad: '#d33a3a',
     regions: {
       roi: '#2f6fe4',
       handle: '#8640e6',

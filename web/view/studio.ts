@@ -54,7 +54,7 @@ export class Studio {
     frustum.near = 0.5;
     frustum.far = 10;
     this.key.shadow.radius = 5;
-    this.key.shadow.normalBias = 0.012;
+    this.key.shadow.normalBias = 0.02;
     this.key.shadow.bias = -0.0004;
     this.lights.add(this.key, this.key.target);
   }

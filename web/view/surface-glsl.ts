@@ -69,7 +69,10 @@ vec4 over = vec4(0.0);
   vec3 base = diffuseColor.rgb;
   if (heatShown) base = texture2D(heatMap, vec2(clamp(vHeat, 0.0, 1.0) * (255.0 / 256.0) + 0.5 / 256.0, 0.5)).rgb;
   else if (paintShown) base = toLinear(vPaint);
-  if (gl_FrontFacing == inwards) base = mix(base, interior, 0.85);
+  // Only where one looks into it: along an outline near and far side are as one.
+  vec3 across = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
+  float open_ = smoothstep(0.06, 0.3, abs(dot(across, normalize(vViewPosition))));
+  if (gl_FrontFacing == inwards) base = mix(base, interior, 0.85 * open_);
   if (regionCount > 0) {
     paintRegion(vRegionsLow.x, regionFill[0], regionLine[0], regionWidth[0], base, over);
     paintRegion(vRegionsLow.y, regionFill[1], regionLine[1], regionWidth[1], base, over);

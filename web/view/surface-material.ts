@@ -7,6 +7,7 @@ import {
   type Material,
   MeshMatcapMaterial,
   MeshStandardMaterial,
+  type Side,
   SRGBColorSpace,
   Vector3,
   Vector4,
@@ -25,12 +26,14 @@ import {
 } from './surface-glsl';
 import type { DisplayOptions } from './types';
 
+type SurfaceMaterial = MeshStandardMaterial | MeshMatcapMaterial;
+
 const each = <T>(make: () => T): T[] => Array.from({ length: CHANNELS }, make);
 
 /** The looks a surface can have, with one set of uniforms between them. */
 export class SurfaceMaterials {
   readonly #heatMap = new DataTexture(heatTexels(256), 256, 1);
-  readonly #made = new Map<DisplayOptions['shading'], Material>();
+  readonly #made = new Map<DisplayOptions['shading'], SurfaceMaterial>();
 
   readonly uniforms = {
     regionFill: { value: each(() => new Vector4()) },
@@ -58,13 +61,13 @@ export class SurfaceMaterials {
     this.#heatMap.needsUpdate = true;
   }
 
-  of(shading: DisplayOptions['shading'], smooth: boolean): Material {
+  of({ shading, smooth }: Pick<DisplayOptions, 'shading' | 'smooth'>, side: Side): Material {
     const material = this.#made.get(shading) ?? this.#make(shading);
     this.#made.set(shading, material);
-    const lit = material as MeshStandardMaterial | MeshMatcapMaterial;
-    if (lit.flatShading === smooth) {
-      lit.flatShading = !smooth;
-      lit.needsUpdate = true;
+    if (material.flatShading === smooth || material.side !== side) {
+      material.flatShading = !smooth;
+      material.side = side;
+      material.needsUpdate = true;
     }
     return material;
   }
@@ -78,9 +81,9 @@ export class SurfaceMaterials {
       regionLine.value[i]!.set(0, 0, 0, 0);
       if (!channel) continue;
       // Paler than the line: a tint must not make the clay darker.
-      const fill = new Color(palette.regions[channel.kind]).lerp(new Color(1, 1, 1), 0.12);
+      const fill = new Color(palette.regions[channel.kind]).lerp(new Color(1, 1, 1), 0.07);
       const line = display(palette.regions[channel.kind]);
-      const strength = channel.kind === 'roi' || channel.kind === 'scalp' ? 0.58 : 0.68;
+      const strength = channel.kind === 'roi' || channel.kind === 'scalp' ? 0.66 : 0.72;
       regionFill.value[i]!.set(fill.r, fill.g, fill.b, channel.selected ? strength + 0.16 : strength);
       if (channel.selected) line.lerp(new Vector3(1, 1, 1), 0.55);
       regionLine.value[i]!.set(line.x, line.y, line.z, 1);
@@ -100,12 +103,13 @@ export class SurfaceMaterials {
     this.#heatMap.dispose();
   }
 
-  #make(shading: DisplayOptions['shading']): Material {
-    const common = { side: DoubleSide };
+  #make(shading: DisplayOptions['shading']): SurfaceMaterial {
     const material =
       shading === 'clay' || shading === 'vertex-colours'
-        ? new MeshStandardMaterial({ ...common, color: CLAY, roughness: 0.65, metalness: 0 })
-        : new MeshMatcapMaterial({ ...common, matcap: matcapTexture(shading) });
+        ? new MeshStandardMaterial({ color: CLAY, roughness: 0.65, metalness: 0 })
+        : new MeshMatcapMaterial({ matcap: matcapTexture(shading) });
+    // The lit side casts, or light leaks in where a thin surface meets another.
+    material.shadowSide = DoubleSide;
     material.toneMapped = !(material instanceof MeshMatcapMaterial);
     material.onBeforeCompile = (shader) => this.#extend(shader);
     return material;

@@ -1,4 +1,16 @@
-import { ACESFilmicToneMapping, PCFShadowMap, Plane, type Ray, Scene, Vector3, WebGLRenderer } from 'three';
+import {
+  ACESFilmicToneMapping,
+  BackSide,
+  DoubleSide,
+  FrontSide,
+  PCFShadowMap,
+  Plane,
+  type Ray,
+  Scene,
+  type Side,
+  Vector3,
+  WebGLRenderer,
+} from 'three';
 import { LissomError } from '../core/errors';
 import { Background } from './background';
 import { CameraRig } from './camera-rig';
@@ -41,6 +53,9 @@ export interface ViewportOptions {
 
 /** Fingers and pens are less exact than this many CSS pixels. */
 const MARKER_REACH = 14;
+/** Over clay in either theme. */
+const BRUSH_ADDS = '#ffffff';
+const BRUSH_ERASES = '#ff7a72';
 const DEFAULT_DISPLAY: DisplayOptions = {
   shading: 'clay',
   smooth: true,
@@ -58,8 +73,8 @@ export class Viewport implements ViewportPort {
   readonly #materials = new SurfaceMaterials();
   readonly #background = new Background();
   readonly #grid = new Grid();
-  readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [3, 1.4] });
-  readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [3, 2, 1] });
+  readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [1.6, 0.8] });
+  readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [1.8, 1] });
   readonly #markers = new Markers();
   readonly #gizmo: Gizmo;
   readonly #widget: OrientationWidget;
@@ -118,7 +133,7 @@ export class Viewport implements ViewportPort {
   setModel(model: ViewModel | null, options: { readonly keepCamera?: boolean } = {}): void {
     this.#forgetModel();
     if (model && model.positions.length > 0) {
-      const view = new ModelView(model, this.#materials.of(this.#display.shading, this.#display.smooth));
+      const view = new ModelView(model);
       this.#view = view;
       this.#picker = new Picker(view);
       this.#materials.uniforms.inwards.value = view.inwards;
@@ -176,13 +191,16 @@ export class Viewport implements ViewportPort {
   setDisplay(options: DisplayOptions): void {
     this.#display = options;
     const palette = this.#palette;
-    if (this.#view) this.#view.mesh.material = this.#materials.of(options.shading, options.smooth);
     this.#materials.uniforms.paintShown.value =
       options.shading === 'vertex-colours' && this.#view?.model.colors !== undefined;
-    if (this.#view) this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
+    if (this.#view) {
+      this.#view.mesh.material = this.#materials.of(options, sideOf(this.#view));
+      this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
+    }
     for (const part of [this.#background, this.#grid, this.#markers, this.#gizmo, this.#widget]) {
       part.setPalette(palette);
     }
+    this.#renderer.toneMappingExposure = palette.exposure;
     this.#contact.setStrength(palette.shadowStrength);
     this.#cast.setStrength(0.6 * palette.shadowStrength);
     this.#cast.mesh.visible = this.#view !== undefined;
@@ -202,7 +220,7 @@ export class Viewport implements ViewportPort {
       const apart = Math.abs(normal.y) < 0.9 ? new Vector3(0, 1, 0) : new Vector3(1, 0, 0);
       brushSide.value.crossVectors(apart, normal).normalize();
       brushDashed.value = brush.erase;
-      this.#materials.setBrushColour(brush.erase ? this.#palette.bad : '#ffffff');
+      this.#materials.setBrushColour(brush.erase ? BRUSH_ERASES : BRUSH_ADDS);
     }
     this.#redraw();
   }
@@ -452,11 +470,16 @@ function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGL
     );
   }
   renderer.toneMapping = ACESFilmicToneMapping;
-  renderer.toneMappingExposure = 1.0;
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.autoUpdate = false;
   renderer.shadowMap.type = PCFShadowMap;
   return renderer;
+}
+
+/** Closed surfaces show one side: at their outline the far side would flicker through the near one. */
+function sideOf({ closed, inwards }: ModelView): Side {
+  if (!closed) return DoubleSide;
+  return inwards ? BackSide : FrontSide;
 }
 
 function lowest(view: ModelView): number {
