@@ -63,7 +63,7 @@ Points star(int spikes, double inner) {
 TEST_CASE("polygons of every kind are covered once by k − 2 triangles") {
     const std::vector<Points> outlines{
         flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}}),
-        flat({{0, 0}, {4, 0}, {1, 1}, {0, 4}}),                                  // a concave quad: one diagonal is outside
+        flat({{0, 0}, {4, 0}, {1, 1}, {0, 4}}),                                  // a concave quad
         flat({{1, 1}, {0, 4}, {0, 0}, {4, 0}}),                                  // the same from another corner
         flat({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}),                  // an L
         flat({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}),  // straight corners
@@ -78,6 +78,19 @@ TEST_CASE("polygons of every kind are covered once by k − 2 triangles") {
     }
 }
 
+TEST_CASE("ragged outlines are covered once (seeds 1 to 40)") {
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        CAPTURE(seed);
+        const std::vector<int> radii = shapes::permutation(60, seed);
+        Points outline(30, 3);
+        for (int i = 0; i < 30; ++i) {
+            const double t = 2 * std::numbers::pi * (i + 0.01 * radii[30 + i]) / 30, r = 0.05 + radii[i];
+            outline.row(i) << r * std::cos(t), r * std::sin(t), 0;
+        }
+        check_covers(outline, area_of(outline));
+    }
+}
+
 TEST_CASE("a spiral of many corners is covered once") {
     Points spiral(2000, 3);
     for (int i = 0; i < 1000; ++i) {
@@ -89,13 +102,16 @@ TEST_CASE("a spiral of many corners is covered once") {
     check_covers(area > 0 ? spiral : Points(spiral.colwise().reverse()), std::abs(area));
 }
 
-TEST_CASE("a quad is cut along its shorter diagonal, a square along the one from its first corner") {
+TEST_CASE("a quad is cut along its shorter diagonal inside it, a square along the one from its first corner") {
     const auto first_cut = [](const Points& p) { return triangulate(shapes::polygons(p, {{0, 1, 2, 3}})).triangles; };
     Triangles along_02(2, 3), along_13(2, 3);
     along_02 << 0, 1, 2, 0, 2, 3;
     along_13 << 0, 1, 3, 1, 2, 3;
     CHECK(first_cut(flat({{0, 0}, {1, 0}, {1, 1}, {0, 1}})) == along_02);
     CHECK(first_cut(flat({{0, 0}, {3, -1}, {4, 0}, {3, 1}})) == along_13);
+    // In a dart the shorter diagonal may run outside.
+    CHECK(first_cut(flat({{-1, 0}, {0, 0.1}, {1, 0}, {0, 3}})) == along_13);
+    CHECK(first_cut(flat({{0, 0.1}, {1, 0}, {0, 3}, {-1, 0}})) == along_02);
     CHECK(first_cut(flat({{0, -1}, {3, 0}, {0, 1}, {-3, 0}})) == along_02);
 }
 
