@@ -89,7 +89,7 @@ export class PlyFaces {
 
   #list(values: PlyValues, countType: PlyType, type: PlyType, out: number[]): void {
     const length = values.next(countType);
-    if (!(length >= 0 && length <= values.left)) {
+    if (!(length >= 0)) {
       const message =
         `${this.file} makes no sense at ${values.where}: a list of ${length} values. ` +
         'Export the model again from the program that made it.';

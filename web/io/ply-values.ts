@@ -6,8 +6,6 @@ import { TextScanner } from './text-scanner';
 export interface PlyValues {
   /** @throws LissomError `file-truncated` */
   next(type: PlyType): number;
-  /** Bytes, and so at least this many values, that may still follow. */
-  readonly left: number;
   /** For messages: `line 7` or `byte 1024`. */
   readonly where: string;
 }
@@ -33,9 +31,6 @@ class AsciiValues implements PlyValues {
   next(): number {
     if (!this.#text.toNextWord()) throw cutShort(this.file, this.where);
     return this.#text.number();
-  }
-  get left(): number {
-    return this.#text.bytes.length - this.#text.at;
   }
   get where(): string {
     return `line ${this.#text.line}`;
@@ -79,9 +74,6 @@ class BinaryValues implements PlyValues {
       case 'ushort':
         return this.#view.getUint16(at, this.#little);
     }
-  }
-  get left(): number {
-    return this.#view.byteLength - this.#at;
   }
   get where(): string {
     return `byte ${Math.min(this.#at, this.#view.byteLength)}`;

@@ -29,8 +29,8 @@ const DEFLATED = 8;
 const SLICE = 16384;
 
 /**
- * The files of a zip archive by name, folders left out. Sizes are limited twice: as declared, before anything is
- * unpacked, and as they come out, since the declaration may lie.
+ * The files of a zip archive by name, folders left out. Declared sizes are limited before anything is unpacked, and
+ * what comes out may not exceed its declaration, which may lie.
  *
  * @throws LissomError `zip-damaged`, `zip-too-large`, `zip-unsafe-name`, `file-empty`
  */
@@ -40,13 +40,10 @@ export function readZip(bytes: Uint8Array, limits: ZipLimits): Map<string, Uint8
   const declared = entries.reduce((sum, { unpacked }) => sum + unpacked, 0);
   if (declared > limits.bytes) throw tooLarge(limits);
   const files = new Map<string, Uint8Array>();
-  let left = limits.bytes;
   for (const entry of entries) {
     checkName(entry.name);
     if (files.has(entry.name)) throw damaged(`it holds “${entry.name}” twice`);
-    const content = unpack(bytes, entry, left, limits);
-    left -= content.length;
-    files.set(entry.name, content);
+    files.set(entry.name, unpack(bytes, entry));
   }
   return files;
 }
@@ -94,7 +91,7 @@ function findEnd(view: DataView): number {
   throw damaged('its end is missing, so it is no zip archive or was cut short');
 }
 
-function unpack(bytes: Uint8Array, entry: ZipEntry, left: number, limits: ZipLimits): Uint8Array {
+function unpack(bytes: Uint8Array, entry: ZipEntry): Uint8Array {
   const { name, method, packed, unpacked, header } = entry;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   if (header + 30 > bytes.length || view.getUint32(header, true) !== LOCAL)
@@ -106,24 +103,18 @@ function unpack(bytes: Uint8Array, entry: ZipEntry, left: number, limits: ZipLim
   if (unpacked > 1100 * (packed + 1)) throw damaged(`the size of “${name}” cannot be true`);
   let out: Uint8Array;
   if (method === STORED) out = content.slice();
-  else if (method === DEFLATED) out = inflate(content, name, unpacked, Math.min(left, unpacked), limits);
+  else if (method === DEFLATED) out = inflate(content, name, unpacked);
   else throw damaged(`“${name}” is packed in an unusual way`);
   if (out.length !== unpacked || crc32(out) !== entry.checksum)
     throw damaged(`the content of “${name}” is broken`);
   return out;
 }
 
-function inflate(
-  content: Uint8Array,
-  name: string,
-  size: number,
-  most: number,
-  limits: ZipLimits,
-): Uint8Array {
+function inflate(content: Uint8Array, name: string, size: number): Uint8Array {
   const out = new Uint8Array(size);
   let length = 0;
   const stream = new Inflate((chunk) => {
-    if (length + chunk.length > most) throw tooLarge(limits);
+    if (length + chunk.length > size) throw damaged(`“${name}” is larger than declared`);
     out.set(chunk, length);
     length += chunk.length;
   });
