@@ -1,0 +1,44 @@
+import type { Finding } from '../core/errors';
+import { faceCount, vertexCount } from '../core/model';
+import type { ImportNote } from '../io/notes';
+import { referencesOf } from '../recipe/cross-checks';
+import { formatJson } from '../recipe/format';
+import { RECIPE_VERSION, type Recipe } from '../recipe/recipe';
+import type { StepResult } from '../run/types';
+
+interface ModelReport {
+  readonly vertices: number;
+  readonly faces: number;
+  readonly components: number;
+  readonly boundaryLoops: number;
+  readonly closed: boolean;
+  /** What the reader and the kernel found, and whether it was repaired. */
+  readonly findings: readonly Finding[];
+}
+
+/** The report of a run: what came in, and one entry per step in the order of the recipe. */
+export function reportOf(
+  recipe: Recipe,
+  results: ReadonlyMap<string, StepResult>,
+  notes: ReadonlyMap<string, readonly ImportNote[]>,
+): string {
+  const models: Record<string, ModelReport> = {};
+  for (const step of recipe.steps) {
+    const { name } = referencesOf(step)[0]!;
+    if (Object.hasOwn(recipe.models, name))
+      models[name] = modelReport(results.get(step.id)!, notes.get(name) ?? []);
+  }
+  const steps = recipe.steps.map(({ id }) => results.get(id)!.report);
+  return `${formatJson({ lissom: RECIPE_VERSION, models, steps })}\n`;
+}
+
+function modelReport({ input: { model, opened } }: StepResult, notes: readonly ImportNote[]): ModelReport {
+  return {
+    vertices: vertexCount(model),
+    faces: faceCount(model),
+    components: opened.components,
+    boundaryLoops: opened.boundaryLoops,
+    closed: opened.closed,
+    findings: [...notes, ...opened.findings],
+  };
+}
