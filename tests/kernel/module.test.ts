@@ -252,6 +252,18 @@ describe('the module itself', () => {
   });
 });
 
+test('a model beyond the memory is refused in a sentence, and the kernel works on', async () => {
+  const own = await loadKernel();
+  const positions = new Float64Array(3 * 100_000_000); // never touched, so it costs this machine nothing
+  await expect(own.call('openModel', { ...sheet(3, 3), positions })).rejects.toMatchObject({
+    code: 'out-of-memory',
+    fault: 'memory',
+    message: expect.stringMatching(/not enough memory/),
+  });
+  expect(own.epoch).toBe(1);
+  expect(await own.call('openModel', sheet(3, 3))).toMatchObject({ components: 1 });
+});
+
 test('ids of one kernel mean nothing to another', async () => {
   const other = await loadKernel();
   const call = other.call('deform', { deform: 99 as DeformId, targets: new Float64Array(16) });
