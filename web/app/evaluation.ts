@@ -2,34 +2,16 @@
 // at a time; of those waiting only the newest. A drag never waits for a run that a later move has overtaken.
 
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
-import { isCancelled, LissomError } from '../core/errors';
+import { isCancelled } from '../core/errors';
 import { Latest } from '../core/latest';
 import { stepById } from '../recipe/edit';
 import type { DeformStep, Recipe, Step } from '../recipe/recipe';
+import type { Runner } from '../run/evaluate';
 import type { ModelResult, StepReport } from '../run/types';
 import { t } from './i18n';
 import type { State } from './state';
 
-/** What is asked of the recipe runner. */
-export interface RunnerPort {
-  run(recipe: Recipe, options: RunOptions): Promise<RunOutcome>;
-  /** The model a step starts from, opened. */
-  input(recipe: Recipe, step: string, options?: { readonly signal?: AbortSignal }): Promise<ModelResult>;
-}
-
-export interface RunOptions {
-  readonly until?: string;
-  readonly signal?: AbortSignal;
-  readonly onProgress?: (fraction: number) => void;
-  /** false: the first solve only, the paper's live preview. */
-  readonly settle?: boolean;
-}
-
-export interface RunOutcome {
-  readonly input: ModelResult;
-  readonly positions: Float64Array;
-  readonly report: StepReport | null;
-}
+export type RunnerPort = Pick<Runner, 'run' | 'input'>;
 
 /** The open step's result: what is on screen. */
 export interface Evaluation {
@@ -137,11 +119,13 @@ export class Evaluator {
 
   async #run({ recipe, step, live }: Request, signal: AbortSignal, onProgress: (fraction: number) => void) {
     if (step.handles.length === 0) {
-      const input = await retried(() => this.runner.input(recipe, step.id, { signal }));
+      const input = await this.runner.input(recipe, step.id, { signal });
       return { input, positions: input.model.positions, report: null };
     }
     const settle = !live || this.#settledTime <= FRAME_BUDGET;
-    return retried(() => this.runner.run(recipe, { until: step.id, signal, onProgress, settle }));
+    const results = await this.runner.run(recipe, { until: step.id, signal, onProgress, settle });
+    const { input, model, report } = results.get(step.id)!;
+    return { input, positions: model.positions, report };
   }
 
   /** Shows progress once the work has taken long enough to be noticed. */
@@ -167,16 +151,6 @@ export class Evaluator {
         if (shown) this.state.busy.value = null;
       },
     };
-  }
-}
-
-/** Work lost with a worker that had to be replaced is simply done again, once. */
-async function retried<T>(work: () => Promise<T>): Promise<T> {
-  try {
-    return await work();
-  } catch (error) {
-    if (error instanceof LissomError && error.code === 'worker-restarted') return work();
-    throw error;
   }
 }
 

@@ -1,11 +1,11 @@
 // The status bar's numbers and "what the edit did", worked out from each result.
 
 import { batch, effect } from '@preact/signals';
-import { isCancelled } from '../core/errors';
 import { faceCount, vertexCount } from '../core/model';
 import { toIndices } from '../core/vertex-set';
-import type { KernelPort, Measured, OpenedModel } from '../kernel/contract';
+import type { Measured, OpenedModel } from '../kernel/contract';
 import type { DeformHandle } from '../recipe/recipe';
+import type { Runner } from '../run/evaluate';
 import type { ModelResult } from '../run/types';
 import { pointAt, transform } from '../tools/geometry';
 import type { Evaluation, Evaluator } from './evaluation';
@@ -27,7 +27,7 @@ const EXACT = 1e-9;
 export function syncFigures(
   state: State,
   evaluator: Pick<Evaluator, 'result'>,
-  kernel: KernelPort,
+  runner: Pick<Runner, 'run'>,
   failed: (error: unknown) => void,
 ): () => void {
   let abort = new AbortController();
@@ -37,15 +37,23 @@ export function syncFigures(
     abort = new AbortController();
     batch(() => publish(state, evaluation));
     if (evaluation?.settled && evaluation.report)
-      measure(kernel, evaluation, abort.signal)
+      measure(runner, evaluation, abort.signal)
         .then((measured) => {
           state.stretch.value = measured.stretch;
           state.whatItDid.value = whatItDid(evaluation, measured);
         })
-        .catch((error: unknown) => {
-          if (!isCancelled(error) && !isRestart(error)) failed(error);
-        });
+        .catch(failed);
   });
+}
+
+/** The result is known to the runner, so this only measures. */
+async function measure(
+  runner: Pick<Runner, 'run'>,
+  { recipe, step }: Evaluation,
+  signal: AbortSignal,
+): Promise<Measured> {
+  const results = await runner.run(recipe, { until: step.id, signal, measure: true });
+  return results.get(step.id)!.measured!;
 }
 
 function publish(state: State, evaluation: Evaluation | null): void {
@@ -80,9 +88,6 @@ function publish(state: State, evaluation: Evaluation | null): void {
     state.stretch.value = null;
   }
 }
-
-const measure = (kernel: KernelPort, { input, positions }: Evaluation, signal: AbortSignal) =>
-  kernel.call('measure', { model: input.opened.model, positions: positions.slice() }, { signal });
 
 export function whatItDid(evaluation: Evaluation, measured: Measured): WhatItDid {
   const { step, input, positions } = evaluation;
@@ -129,7 +134,3 @@ function extent(positions: Float64Array): number {
   }
   return size;
 }
-
-/** The next result brings new ids and is measured with them. */
-const isRestart = (error: unknown): boolean =>
-  error instanceof Error && 'code' in error && error.code === 'worker-restarted';

@@ -1,0 +1,144 @@
+// Builds the app from its parts. The one place where services learn of each other.
+
+import { effect } from '@preact/signals';
+import type { KernelPort } from '../kernel/contract';
+import { Runner } from '../run/evaluate';
+import type { ViewportPort } from '../view/types';
+import type { App } from './api';
+import { Autosave } from './autosave';
+import { Commands } from './commands';
+import { allCommands } from './commands/all';
+import { DeformActions } from './deform-actions';
+import { AppDeformHost } from './deform-host';
+import { Desk } from './desk';
+import { Document, EMPTY } from './document';
+import { Evaluator } from './evaluation';
+import { syncFigures } from './figures';
+import type { FileDialogs } from './file-dialogs';
+import { Files } from './files';
+import { Gallery } from './gallery';
+import { Keymap } from './keymap';
+import { Messages } from './messages';
+import { ModelStore } from './model-store';
+import { StoredSettings } from './settings';
+import { Share } from './share';
+import { State } from './state';
+import { statusText } from './status';
+import type { DocumentStore } from './store';
+import type { Claims } from './tab-claim';
+import { ToolSwitch } from './tools';
+import { syncView } from './view-sync';
+
+/** What the app needs of the world; `browser.ts` has the real one, tests make their own. */
+export interface World {
+  readonly kernel: KernelPort;
+  readonly viewport: ViewportPort | null;
+  readonly store: DocumentStore;
+  readonly claims: Claims;
+  readonly dialogs: FileDialogs;
+  /** Settings that last; `null` where the browser forbids it. */
+  readonly storage: Pick<Storage, 'getItem' | 'setItem'> | null;
+  /** Of this tab, lasting over reloads. */
+  readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
+  readonly galleryBase: string;
+  readonly address: () => string;
+  readonly copy: (text: string) => Promise<void>;
+  readonly persist: () => void;
+  readonly newId: () => string;
+  readonly now: () => number;
+  readonly mac: boolean;
+  readonly reload: () => void;
+}
+
+/** The app and what `main.tsx` beside the interface needs of it. */
+export interface BuiltApp extends App {
+  readonly document: Document;
+  readonly deform: DeformActions;
+  readonly keymap: Keymap;
+  readonly autosave: Autosave;
+  readonly gallery: Gallery;
+  readonly desk: Desk;
+  readonly evaluator: Evaluator;
+  readonly dispose: () => void;
+}
+
+export function buildApp(world: World): BuiltApp {
+  const { viewport } = world;
+  const state = new State(EMPTY);
+  const messages = new Messages(state);
+  const failed = (error: unknown) => messages.failed(error);
+  const settings = new StoredSettings(world.storage);
+  const document = new Document(state);
+  const gallery: Gallery = new Gallery(world.galleryBase, (recipe, title) => desk.open({ recipe, title }));
+  const models = new ModelStore((name) => gallery.model(name));
+  const runner = new Runner({ kernel: world.kernel, models });
+  const evaluator = new Evaluator(runner, state, failed);
+  const autosave = new Autosave({ ...world, state, document, models, messages });
+  const desk = new Desk(state, document, runner, autosave, messages);
+  const deform = new DeformActions(document, evaluator);
+  const files = new Files({
+    state,
+    document,
+    models,
+    desk,
+    evaluator,
+    viewport,
+    messages,
+    dialogs: world.dialogs,
+  });
+  const share = new Share(document, messages, world);
+  const stops = [syncFigures(state, evaluator, runner, failed)];
+
+  let cancelGesture = () => false;
+  if (viewport) {
+    const host = new AppDeformHost(viewport, state, document, evaluator);
+    const tools = new ToolSwitch(host, state, settings);
+    const view = syncView({ viewport, state, evaluator, host });
+    viewport.setPointerHandler(tools);
+    cancelGesture = () => {
+      const active = tools.busy || state.previewing.peek();
+      tools.cancel();
+      view.gizmo.cancel();
+      if (state.previewing.peek()) document.cancel();
+      return active;
+    };
+    stops.push(view.stop, () => viewport.setPointerHandler(null));
+  }
+
+  const gestures = { cancel: () => cancelGesture() };
+  const context = { state, document, deform, files, settings, viewport, gestures };
+  const commands = new Commands(allCommands(context), failed);
+  const keymap = new Keymap(commands, settings, world.mac);
+  stops.push(
+    effect(() => {
+      state.status.value = statusText(state, keymap);
+    }),
+    effect(() => {
+      const { theme } = settings.values.value;
+      const display = state.display.peek();
+      if (display.theme !== theme) state.display.value = { ...display, theme };
+    }),
+  );
+
+  return {
+    state,
+    commands,
+    keymap,
+    document,
+    deform,
+    files,
+    autosave,
+    share,
+    settings,
+    gallery,
+    messages,
+    viewport,
+    desk,
+    evaluator,
+    reload: () => void autosave.flush().then(world.reload),
+    dispose: () => {
+      for (const stop of stops) stop();
+      evaluator.dispose();
+    },
+  };
+}
