@@ -204,7 +204,7 @@ export class CameraRig {
       this.jump();
       return false;
     }
-    const k = 1 - Math.exp(-Math.min(elapsed, 100) / EASE);
+    const k = 1 - Math.exp(-elapsed / EASE);
     shown.target.lerp(goal.target, k);
     shown.turn += (goal.turn - shown.turn) * k;
     shown.tilt += (goal.tilt - shown.tilt) * k;

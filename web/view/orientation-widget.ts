@@ -6,6 +6,8 @@ import type { ViewSpace } from './view-space';
 const SIZE = 92;
 const ARM = 32;
 const BEAD = 9.5;
+/** Presses this near count. */
+const REACH = 14;
 const SVG = 'http://www.w3.org/2000/svg';
 
 export type ViewLabels = Readonly<Record<Exclude<ViewPreset, 'home'>, string>>;
@@ -22,6 +24,8 @@ const ENGLISH: ViewLabels = {
 interface Arm {
   readonly group: SVGGElement;
   readonly line: SVGLineElement | undefined;
+  /** All that stands at the arm's end. */
+  readonly ends: readonly SVGElement[];
   readonly bead: SVGCircleElement;
   readonly text: SVGTextElement;
   /** Model space. */
@@ -34,6 +38,8 @@ interface Arm {
 /** The model's axes as they lie on the screen; pressing one looks along it. Plain SVG: crisp and focusable. */
 export class OrientationWidget {
   readonly element = document.createElementNS(SVG, 'svg');
+  readonly #lines = document.createElementNS(SVG, 'g');
+  readonly #beads = document.createElementNS(SVG, 'g');
   readonly #arms: Arm[] = [];
   #palette: Palette | undefined;
   #zUp = false;
@@ -54,6 +60,7 @@ export class OrientationWidget {
       userSelect: 'none',
       touchAction: 'manipulation',
     });
+    this.element.append(this.#lines, this.#beads);
     for (const positive of [false, true]) {
       for (let index = 0; index < 3; index++) this.#arms.push(this.#arm(index, positive));
     }
@@ -79,19 +86,19 @@ export class OrientationWidget {
     for (const arm of this.#arms) {
       space.directionToView(arm.axis, arm.place).transformDirection(camera.matrixWorldInverse);
       const { x, y, z } = arm.place;
-      for (const end of [arm.bead, arm.text]) {
+      for (const end of arm.ends) {
         end.setAttribute('transform', `translate(${(ARM * x).toFixed(2)} ${(-ARM * y).toFixed(2)})`);
       }
       arm.line?.setAttribute('x2', ((ARM - BEAD + 1) * x).toFixed(2));
       arm.line?.setAttribute('y2', (-(ARM - BEAD + 1) * y).toFixed(2));
-      arm.group.setAttribute('opacity', (0.78 + 0.22 * z).toFixed(2));
+      for (const part of [arm.group, arm.line]) part?.setAttribute('opacity', (0.78 + 0.22 * z).toFixed(2));
     }
     const order = [...this.#arms].sort((a, b) => a.place.z - b.place.z);
-    const drawn = [...this.element.children];
+    const drawn = [...this.#beads.children];
     // A group that is moved in the document loses its focus and its press: only when the order is new.
     if (order.some((arm, i) => drawn[i] !== arm.group)) {
       if (!this.element.contains(document.activeElement))
-        this.element.append(...order.map((arm) => arm.group));
+        this.#beads.append(...order.map((arm) => arm.group));
     }
   }
 
@@ -122,22 +129,38 @@ export class OrientationWidget {
     text.setAttribute('font-size', '11');
     text.setAttribute('font-weight', '600');
     text.setAttribute('font-family', 'system-ui, sans-serif');
-    if (line) group.append(line);
-    group.append(bead, text);
+    // Lines lie beneath and do not take part: a bead's own middle is where it is pressed.
+    if (line) this.#lines.append(line);
+    const reach = document.createElementNS(SVG, 'circle');
+    reach.setAttribute('r', String(REACH));
+    reach.setAttribute('fill', 'transparent');
+    group.append(reach, bead, text);
     group.setAttribute('role', 'button');
     group.setAttribute('tabindex', '0');
     group.setAttribute('aria-label', this.labels[this.#preset({ index, positive })]);
     group.style.cursor = 'pointer';
     const press = (): void => this.look(this.#preset({ index, positive }));
     group.addEventListener('click', press);
+    // A mouse press leaves the focus, and with it the keyboard, where it was.
+    group.addEventListener('mousedown', (event) => event.preventDefault());
     group.addEventListener('keydown', (event) => {
       if (event.key !== 'Enter' && event.key !== ' ') return;
       event.preventDefault();
       press();
     });
-    this.element.append(group);
+    this.#beads.append(group);
     const axis: [number, number, number] = [0, 0, 0];
     axis[index] = positive ? 1 : -1;
-    return { group, line, bead, text, axis, index, positive, place: new Vector3() };
+    return {
+      group,
+      line,
+      ends: [reach, bead, text],
+      bead,
+      text,
+      axis,
+      index,
+      positive,
+      place: new Vector3(),
+    };
   }
 }

@@ -61,7 +61,6 @@ export class Studio {
 
   /** The room as an environment map. Built anew after the graphics card has forgotten it. */
   environment(): Texture {
-    this.#room?.dispose();
     const scene = roomScene();
     const generator = new PMREMGenerator(this.renderer);
     this.#room = generator.fromScene(scene, 0.03);

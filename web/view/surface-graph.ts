@@ -15,6 +15,9 @@ export function segmentDistance2(x: Float64Array, a: number, b: number, p: reado
   return (ax + t * ux - px) ** 2 + (ay + t * uy - py) ** 2 + (az + t * uz - pz) ** 2;
 }
 
+/** How many edges away from a border a soft mask is smoothed. */
+const REACH = 4;
+
 export class SurfaceGraph {
   readonly #triangles: Uint32Array;
   /** Welded vertex per source vertex; those of no triangle share the last, which has none either. */
@@ -113,28 +116,29 @@ export class SurfaceGraph {
    * @returns the vertices where the field is not 0, and the field there
    */
   softMask(set: Uint32Array): { vertices: Uint32Array; values: Float32Array } {
-    const count = this.#offsets.length - 1;
-    const hard = new Uint8Array(count);
+    const hard = new Uint8Array(this.#offsets.length - 1);
     for (const v of set) hard[this.#welded[v]!] = 1;
-    let field = Float32Array.from(hard);
-    const touched = this.#near(set, 4);
-    for (let pass = 0; pass < 4; pass++) {
-      const next = field.slice();
-      for (const w of touched) {
+    const field = Float32Array.from(hard);
+    // Away from the border nothing changes.
+    const near = this.#grow(this.#border(set, hard), REACH);
+    const next = new Float32Array(near.length);
+    for (let pass = 0; pass < REACH; pass++) {
+      near.forEach((w, i) => {
         const mean = this.#mean(w, field);
-        next[w] = hard[w] ? Math.max(0.54, mean) : Math.min(0.46, mean);
-      }
-      field = next;
+        next[i] = hard[w] ? Math.max(0.54, mean) : Math.min(0.46, mean);
+      });
+      near.forEach((w, i) => {
+        field[w] = next[i]!;
+      });
     }
-    const vertices: number[] = [];
-    for (let v = 0; v < this.#welded.length; v++) if (field[this.#welded[v]!]! > 0) vertices.push(v);
-    return {
-      vertices: Uint32Array.from(vertices),
-      values: Float32Array.from(vertices, (v) => field[this.#welded[v]!]!),
-    };
+    const vertices = new Uint32Array(this.#welded.length);
+    let count = 0;
+    for (let v = 0; v < vertices.length; v++) if (field[this.#welded[v]!]! > 0) vertices[count++] = v;
+    const found = vertices.slice(0, count);
+    return { vertices: found, values: Float32Array.from(found, (v) => field[this.#welded[v]!]!) };
   }
 
-  /** Half the field at w and half that of its neighbours, each weighted by the triangles it shares. */
+  /** The mean over the corners of the triangles at w: itself a third, its neighbours the rest. */
   #mean(w: number, field: Float32Array): number {
     let sum = 0;
     let corners = 0;
@@ -148,26 +152,35 @@ export class SurfaceGraph {
     return corners > 0 ? sum / corners : field[w]!;
   }
 
-  /** Welded vertices up to `rings` edges away from a set, itself included. */
-  #near(set: Uint32Array, rings: number): number[] {
-    const seen = new Uint8Array(this.#offsets.length - 1);
-    const out: number[] = [];
+  /** The welded vertices of a set that have a neighbour outside it. `hard` is 1 on the set. */
+  #border(set: Uint32Array, hard: Uint8Array): number[] {
+    const out = new Set<number>();
     for (const v of set) {
       const w = this.#welded[v]!;
+      for (let i = this.#offsets[w]!; i < this.#offsets[w + 1]!; i++) {
+        const t = 3 * this.#around[i]!;
+        for (let k = 0; k < 3; k++) if (!hard[this.#welded[this.#triangles[t + k]!]!]) out.add(w);
+      }
+    }
+    return [...out];
+  }
+
+  /** Welded vertices up to `rings` edges away from some, those included. */
+  #grow(from: readonly number[], rings: number): number[] {
+    const seen = new Uint8Array(this.#offsets.length - 1);
+    const out: number[] = [];
+    const add = (w: number): void => {
       if (!seen[w]) out.push(w);
       seen[w] = 1;
-    }
-    let from = 0;
+    };
+    for (const w of from) add(w);
+    let at = 0;
     for (let ring = 0; ring < rings; ring++) {
-      const to = out.length;
-      for (; from < to; from++) {
-        const w = out[from]!;
+      for (const to = out.length; at < to; at++) {
+        const w = out[at]!;
         for (let i = this.#offsets[w]!; i < this.#offsets[w + 1]!; i++) {
-          for (let k = 0; k < 3; k++) {
-            const other = this.#welded[this.#triangles[3 * this.#around[i]! + k]!]!;
-            if (!seen[other]) out.push(other);
-            seen[other] = 1;
-          }
+          const t = 3 * this.#around[i]!;
+          for (let k = 0; k < 3; k++) add(this.#welded[this.#triangles[t + k]!]!);
         }
       }
     }
@@ -178,6 +191,7 @@ export class SurfaceGraph {
   touching(a: Uint32Array, b: Uint32Array): boolean {
     const inB = new Uint8Array(this.#offsets.length - 1);
     for (const v of b) inB[this.#welded[v]!] = 1;
-    return this.#near(a, 1).some((w) => inB[w] === 1);
+    const own = Array.from(a, (v) => this.#welded[v]!);
+    return this.#grow(own, 1).some((w) => inB[w] === 1);
   }
 }

@@ -126,6 +126,7 @@ export interface ViewportPort {
   /** Model units that one CSS pixel spans at `point`. */
   pixelSize(point: Vec3): number;
   fit(vertices?: Uint32Array): void;
+  /** Looks from there, at the whole model. */
   setView(preset: ViewPreset): void;
   camera: CameraState;
   /** One handler at a time. A left, pen or one-finger press is offered to it first. */

@@ -12,18 +12,16 @@ import {
   WebGLRenderer,
 } from 'three';
 import { LissomError } from '../core/errors';
-import { Background } from './background';
 import { CameraRig } from './camera-rig';
+import { DrawLoop } from './draw-loop';
 import { Gizmo } from './gizmo';
-import { Grid } from './grid';
-import { GroundShadow } from './ground-shadow';
 import { Markers } from './markers';
 import { ModelView } from './model-view';
 import { OrientationWidget, type ViewLabels } from './orientation-widget';
 import { PALETTES, type Palette } from './palette';
 import { Picker } from './picking';
 import { type NavigationOptions, PointerInput } from './pointer-input';
-import { KEY_SLANT, Studio } from './studio';
+import { Stage } from './stage';
 import { SurfaceMaterials } from './surface-material';
 import type {
   CameraState,
@@ -69,29 +67,24 @@ export class Viewport implements ViewportPort {
   readonly #renderer: WebGLRenderer;
   readonly #scene = new Scene();
   readonly #rig = new CameraRig();
-  readonly #studio: Studio;
+  readonly #stage: Stage;
   readonly #materials = new SurfaceMaterials();
-  readonly #background = new Background();
-  readonly #grid = new Grid();
-  readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [1.6, 0.8] });
-  readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [1.8, 1] });
   readonly #markers = new Markers();
   readonly #gizmo: Gizmo;
   readonly #widget: OrientationWidget;
   readonly #input: PointerInput;
   readonly #resizes: ResizeObserver;
   readonly #stop = new AbortController();
+  readonly #loop = new DrawLoop(
+    (elapsed) => this.#rig.advance(elapsed),
+    () => this.#draw(),
+  );
 
   #view: ModelView | undefined;
   #picker: Picker | undefined;
   #wireframe: Wireframe | undefined;
   #regions: readonly RegionPaint[] = [];
   #display = DEFAULT_DISPLAY;
-  #ground = -1;
-  #shadowsStale = true;
-  #frame = 0;
-  #lastFrame = 0;
-  #times: number[] = [];
   #idle: ReturnType<typeof setTimeout> | undefined;
 
   /** @throws LissomError  `webgl-missing`: no WebGL 2 */
@@ -102,20 +95,11 @@ export class Viewport implements ViewportPort {
     this.#renderer = rendererFor(canvas, options);
     const container = options.container ?? canvas.parentElement ?? document.body;
     Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
-    this.#studio = new Studio(this.#renderer);
-    this.#scene.environment = this.#studio.environment();
-    this.#scene.environmentIntensity = 0.62;
+    this.#stage = new Stage(this.#renderer, this.#scene);
     this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, ViewSpace.identity, () => this.#redraw());
     this.#widget = new OrientationWidget((preset) => this.setView(preset), options.labels);
     container.append(this.#widget.element);
-    this.#scene.add(
-      this.#background.mesh,
-      this.#contact.mesh,
-      this.#cast.mesh,
-      this.#grid.mesh,
-      this.#studio.lights,
-      this.#markers.group,
-    );
+    this.#scene.add(this.#markers.group);
     this.#input = new PointerInput(canvas, {
       rig: this.#rig,
       gizmo: this.#gizmo,
@@ -131,6 +115,7 @@ export class Viewport implements ViewportPort {
   }
 
   setModel(model: ViewModel | null, options: { readonly keepCamera?: boolean } = {}): void {
+    const before = this.camera;
     this.#forgetModel();
     if (model && model.positions.length > 0) {
       const view = new ModelView(model);
@@ -138,19 +123,17 @@ export class Viewport implements ViewportPort {
       this.#picker = new Picker(view);
       this.#materials.uniforms.inwards.value = view.inwards;
       this.#scene.add(view.mesh);
-      this.#ground = lowest(view) - 0.004;
     }
-    this.#grid.place(this.#space, this.#ground);
+    this.#stage.setModel(this.#view && { space: this.#view.space, places: this.#view.places() });
     this.setRegions([]);
     this.setMarkers([]);
     this.setHeat(null);
     this.setBrush(null);
     this.setGizmo(null);
     this.setDisplay(this.#display);
-    this.#shadowsStale = true;
-    if (!options.keepCamera) {
-      this.#rig.look('home');
-      this.fit();
+    if (options.keepCamera) this.camera = before;
+    else {
+      this.setView('home');
       this.#rig.jump();
     }
     const picker = this.#picker;
@@ -161,13 +144,13 @@ export class Viewport implements ViewportPort {
     if (!this.#view) return;
     this.#view.setPositions(positions);
     // Software rendering in tests cannot afford the shadow at every step.
-    if (!this.options.test) this.#shadowsStale = true;
+    if (!this.options.test) this.#stage.shapeChanged();
     this.#redraw();
   }
 
   settlePositions(): void {
     this.#picker?.settle();
-    this.#shadowsStale = true;
+    this.#stage.shapeChanged();
     this.#redraw();
   }
 
@@ -197,15 +180,10 @@ export class Viewport implements ViewportPort {
       this.#view.mesh.material = this.#materials.of(options, sideOf(this.#view));
       this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
     }
-    for (const part of [this.#background, this.#grid, this.#markers, this.#gizmo, this.#widget]) {
+    for (const part of [this.#stage, this.#markers, this.#gizmo, this.#widget]) {
       part.setPalette(palette);
     }
-    this.#renderer.toneMappingExposure = palette.exposure;
-    this.#contact.setStrength(palette.shadowStrength);
-    this.#cast.setStrength(0.6 * palette.shadowStrength);
-    this.#cast.mesh.visible = this.#view !== undefined;
-    this.#grid.mesh.visible = options.grid;
-    this.#contact.mesh.visible = this.#view !== undefined;
+    this.#stage.showGrid(options.grid);
     this.#showWireframe(options.wireframe, palette);
     this.#redraw();
   }
@@ -270,8 +248,7 @@ export class Viewport implements ViewportPort {
 
   setView(preset: ViewPreset): void {
     this.#rig.look(preset);
-    if (preset === 'home') this.fit();
-    this.#redraw();
+    this.fit();
   }
 
   get camera(): CameraState {
@@ -300,8 +277,7 @@ export class Viewport implements ViewportPort {
   }
 
   get frameRate(): number {
-    const now = performance.now();
-    return this.#times.filter((time) => now - time < 1000).length;
+    return this.#loop.rate;
   }
 
   async screenshot(width: number, height: number): Promise<Blob> {
@@ -328,7 +304,7 @@ export class Viewport implements ViewportPort {
   }
 
   dispose(): void {
-    cancelAnimationFrame(this.#frame);
+    this.#loop.dispose();
     this.#stop.abort();
     this.#resizes.disconnect();
     this.#input.dispose();
@@ -337,12 +313,8 @@ export class Viewport implements ViewportPort {
       this.#gizmo,
       this.#widget,
       this.#markers,
-      this.#background,
-      this.#grid,
-      this.#contact,
-      this.#studio,
+      this.#stage,
       this.#materials,
-      this.#cast,
       this.#renderer,
     ]) {
       part.dispose();
@@ -416,36 +388,17 @@ export class Viewport implements ViewportPort {
   }
 
   #restore(): void {
-    this.#scene.environment = this.#studio.environment();
-    this.#shadowsStale = true;
+    this.#stage.restore();
     this.#redraw();
   }
 
   #redraw(): void {
-    if (this.#frame === 0 && !this.#stop.signal.aborted) {
-      this.#frame = requestAnimationFrame((now) => this.#tick(now));
-    }
-  }
-
-  #tick(now: number): void {
-    this.#frame = 0;
-    // After a rest the first step counts as one ordinary frame.
-    const elapsed = now - this.#lastFrame < 100 ? now - this.#lastFrame : 16;
-    this.#lastFrame = now;
-    if (this.#rig.advance(elapsed)) this.#redraw();
-    this.#draw();
-    this.#times = [...this.#times.filter((time) => now - time < 1000), now];
+    this.#loop.request();
   }
 
   #draw(): void {
     if (this.#renderer.getContext().isContextLost()) return;
-    if (this.#shadowsStale && this.#view) {
-      for (const shadow of [this.#contact, this.#cast]) {
-        shadow.update(this.#renderer, this.#view.geometry, this.#ground);
-      }
-      this.#renderer.shadowMap.needsUpdate = true;
-      this.#shadowsStale = false;
-    }
+    this.#stage.prepare(this.#view?.geometry);
     const { camera } = this.#rig;
     this.#gizmo.setCamera(camera);
     this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
@@ -480,11 +433,4 @@ function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGL
 function sideOf({ closed, inwards }: ModelView): Side {
   if (!closed) return DoubleSide;
   return inwards ? BackSide : FrontSide;
-}
-
-function lowest(view: ModelView): number {
-  const places = view.places();
-  let low = Infinity;
-  for (let i = 1; i < places.length; i += 3) low = Math.min(low, places[i]!);
-  return low;
 }
