@@ -1,5 +1,6 @@
 import { LissomError } from '../core/errors';
-import { entry, type GltfAccessor, type GltfDocument, gltfDamaged, refuseCompressed } from './gltf-document';
+import { entry, type GltfDocument, gltfDamaged, refuseCompressed } from './gltf-document';
+import type { GltfAccessor } from './gltf-schema';
 import { checkAnnounced } from './reading';
 
 export const COMPONENTS: Readonly<Record<string, number>> = {

@@ -1,7 +1,7 @@
 import { type FaceGroup, type Model, vertexCount } from '../core/model';
 import { ByteWriter } from './byte-writer';
 import { F32, U8, U16, U32 } from './gltf-accessors';
-import type { GltfAccessor, GltfBufferView, GltfJson, GltfPrimitive } from './gltf-document';
+import type { GltfAccessor, GltfBufferView, GltfJson, GltfPrimitive } from './gltf-schema';
 import { groupRuns } from './group-runs';
 import { vertexNormals } from './normals';
 import { NO_INDEX, nothingToWrite } from './reading';
@@ -78,7 +78,7 @@ class BufferBuilder {
   /** Describes what was written since the last call. */
   add(
     count: number,
-    accessor: Omit<GltfAccessor, 'count' | 'bufferView'>,
+    accessor: Pick<GltfAccessor, 'componentType' | 'type' | 'normalized' | 'min' | 'max'>,
     target: number,
     byteStride?: number,
   ): number {

@@ -1,77 +1,8 @@
+import * as v from 'valibot';
 import { LissomError } from '../core/errors';
+import { type GltfJson, gltfSchema } from './gltf-schema';
 import { truncated } from './reading';
 import { decode } from './text-scanner';
-
-// glTF 2.0 as far as geometry is concerned (Khronos glTF 2.0 specification, section 5). Everything else in the
-// document is carried along unread.
-
-export interface GltfAccessor {
-  bufferView?: number;
-  byteOffset?: number;
-  componentType: number;
-  normalized?: boolean;
-  count: number;
-  type: string;
-  min?: number[];
-  max?: number[];
-  sparse?: {
-    count: number;
-    indices: { bufferView: number; byteOffset?: number; componentType: number };
-    values: { bufferView: number; byteOffset?: number };
-  };
-}
-
-export interface GltfBufferView {
-  buffer: number;
-  byteOffset?: number;
-  byteLength: number;
-  byteStride?: number;
-  target?: number;
-  extensions?: Record<string, unknown>;
-}
-
-export interface GltfPrimitive {
-  attributes: Record<string, number>;
-  indices?: number;
-  material?: number;
-  mode?: number;
-  targets?: Record<string, number>[];
-  /** `name`: the group's, where it is not the node's. */
-  extras?: { name?: string };
-  extensions?: Record<string, unknown>;
-}
-
-export interface GltfMesh {
-  name?: string;
-  primitives: GltfPrimitive[];
-}
-
-export interface GltfNode {
-  name?: string;
-  mesh?: number;
-  skin?: number;
-  children?: number[];
-  matrix?: number[];
-  translation?: number[];
-  rotation?: number[];
-  scale?: number[];
-  extensions?: Record<string, unknown>;
-}
-
-export interface GltfJson {
-  asset: { version: string; generator?: string };
-  scene?: number;
-  scenes?: { name?: string; nodes?: number[] }[];
-  nodes?: GltfNode[];
-  meshes?: GltfMesh[];
-  accessors?: GltfAccessor[];
-  bufferViews?: GltfBufferView[];
-  buffers?: { uri?: string; byteLength: number }[];
-  materials?: { name?: string }[];
-  skins?: { joints: number[]; inverseBindMatrices?: number }[];
-  animations?: { samplers?: { input: number; output: number }[] }[];
-  extensionsRequired?: string[];
-}
 
 /** The parsed document and its binary parts; a buffer that is not in the file is missing. */
 export interface GltfDocument {
@@ -139,7 +70,11 @@ function openJson(bytes: Uint8Array, file: string, binary: Uint8Array | undefine
       'format-unsupported',
       `${file} is not glTF version 2, the only one that can be read. Export it again as glTF 2.0.`,
     );
-  refuseCompressed(json.extensionsRequired ?? [], file);
+  const { issues } = v.safeParse(gltfSchema, json);
+  if (issues) throw gltfDamaged(file, `${v.getDotPath(issues[0]) ?? 'it'}: ${issues[0].message}`);
+  // Views compressed with meshopt may have no other content even where the file does not insist on unpacking.
+  const meshopt = (json.extensionsUsed ?? []).filter((e) => /meshopt_compression/i.test(e));
+  refuseCompressed([...(json.extensionsRequired ?? []), ...meshopt], file);
   const buffers = (json.buffers ?? []).map(({ uri }, i) => {
     if (uri === undefined) return i === 0 ? binary : undefined;
     return uri.startsWith('data:') ? fromDataUri(uri, file) : undefined;

@@ -2,15 +2,9 @@ import { LissomError } from '../core/errors';
 import type { FaceGroup, Model } from '../core/model';
 import { type Affine, determinant, transformPoints } from './affine';
 import { COMPONENTS, readAccessor, U8 } from './gltf-accessors';
-import {
-  entry,
-  type GltfDocument,
-  type GltfPrimitive,
-  openGlb,
-  openGltf,
-  refuseCompressed,
-} from './gltf-document';
+import { entry, type GltfDocument, openGlb, openGltf, refuseCompressed } from './gltf-document';
 import { type Placement, placements } from './gltf-scene';
+import type { GltfPrimitive } from './gltf-schema';
 import { GrowingUint32 } from './growing';
 import { Notes } from './notes';
 import { NO_INDEX, type ReadResult } from './reading';
@@ -106,7 +100,7 @@ class GltfReader {
       this.#faces(primitive, part, mode);
       const end = this.#faceVertices.length / 3;
       part.faces.push([start, end]);
-      const name = primitive.extras?.name ?? node.name ?? mesh.name ?? `mesh ${placement.mesh}`;
+      const name = groupName(primitive) ?? node.name ?? mesh.name ?? `mesh ${placement.mesh}`;
       const material =
         primitive.material === undefined
           ? undefined
@@ -269,6 +263,11 @@ class GltfReader {
     return arrays.length > 0 ? { vertexSets: Object.fromEntries(arrays) } : {};
   }
 }
+
+const groupName = ({ extras }: GltfPrimitive): string | undefined => {
+  const name = (extras as { name?: unknown } | null | undefined)?.name;
+  return typeof name === 'string' ? name : undefined;
+};
 
 const isRead = (attribute: string): boolean =>
   ['POSITION', 'NORMAL', 'TEXCOORD_0', 'COLOR_0'].includes(attribute) || attribute.startsWith('_');

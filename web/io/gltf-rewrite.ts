@@ -1,10 +1,12 @@
 import type { Model } from '../core/model';
 import { determinant, invert, transformPoints } from './affine';
 import { ByteWriter } from './byte-writer';
+import { firstEqualRow } from './equal-rows';
 import { F32, readAccessor } from './gltf-accessors';
 import { writeNormal, writePositions } from './gltf-build';
-import type { GltfAccessor, GltfBufferView, GltfJson, GltfPrimitive } from './gltf-document';
 import type { GltfExtra, GltfPart } from './gltf-read';
+import type { GltfAccessor, GltfBufferView, GltfJson, GltfPrimitive } from './gltf-schema';
+import { GrowingUint32 } from './growing';
 import { vertexNormals } from './normals';
 
 /**
@@ -43,18 +45,17 @@ class Rewriter {
     const local = transformPoints(inverse, world);
     const mesh = this.#json.meshes![this.#json.nodes![part.node]!.mesh!]!;
     const primitives = part.primitives.map((p) => mesh.primitives[p]!);
-    const all = Array.from({ length: count }, (_, v) => v);
+    const all = Uint32Array.from({ length: count }, (_, v) => v);
 
     const positions = new ByteWriter(12 * count);
     const range = writePositions(positions, local, all, [0, 0, 0]);
-    const normalAccessor = primitives[0]!.attributes.NORMAL;
-    const normals = normalAccessor === undefined ? undefined : this.#normals(part, local, normalAccessor);
+    const normals = this.#normals(part, local, primitives[0]!.attributes.NORMAL);
     this.#replace(primitives, 'POSITION', positions.finish(), count, range);
     if (normals) {
       const out = new ByteWriter(12 * count);
       for (const v of all) writeNormal(out, normals, v);
       this.#replace(primitives, 'NORMAL', out.finish(), count, {});
-    }
+    } else for (const primitive of primitives) delete primitive.attributes.NORMAL;
     for (const primitive of primitives) {
       delete primitive.attributes.TANGENT;
       delete primitive.extensions?.KHR_draco_mesh_compression;
@@ -62,21 +63,22 @@ class Rewriter {
   }
 
   finish(): { json: GltfJson; binary: Uint8Array } {
-    const { document } = this.extra;
-    const out = new ByteWriter(document.buffers.reduce((sum, b) => sum + (b?.length ?? 0), 1024));
+    const { buffers } = this.extra.document;
+    const out = new ByteWriter(buffers.reduce((sum, b) => sum + (b?.length ?? 0), 1024));
+    // What is not at hand, pictures in other files, say, keeps its place behind the one buffer that is.
+    const elsewhere = [...buffers.keys()].filter((i) => !buffers[i]);
     const views = this.#json.bufferViews ?? [];
     views.forEach((view, i) => {
-      const buffer = document.buffers[view.buffer];
       const start = view.byteOffset ?? 0;
-      const bytes =
-        this.#fresh.get(i) ??
-        buffer?.subarray(start, start + view.byteLength) ??
-        new Uint8Array(view.byteLength);
-      out.align(4);
-      views[i] = { ...view, buffer: 0, byteOffset: out.length };
-      out.raw(bytes);
+      const bytes = this.#fresh.get(i) ?? buffers[view.buffer]?.subarray(start, start + view.byteLength);
+      if (bytes) {
+        out.align(4);
+        views[i] = { ...view, buffer: 0, byteOffset: out.length };
+        out.raw(bytes);
+      } else view.buffer = 1 + elsewhere.indexOf(view.buffer);
     });
-    return { json: this.#json, binary: out.finish() };
+    const kept = elsewhere.map((i) => this.#json.buffers![i]!);
+    return { json: { ...this.#json, buffers: [{ byteLength: out.length }, ...kept] }, binary: out.finish() };
   }
 
   /** A mesh that several nodes show is copied for those of them that moved, but for the last one left with it. */
@@ -132,31 +134,30 @@ class Rewriter {
     }
   }
 
-  /** Smooth where the file was smooth: vertices that shared position and normal share their new normal. */
-  #normals(part: GltfPart, local: Float64Array, accessor: number): Float64Array {
-    const { first, count, matrix, faces } = part;
-    const before = this.extra.positions;
-    const old = readAccessor(this.extra.document, accessor);
-    const owner = new Uint32Array(count);
-    const owners = new Map<string, number>();
-    for (let v = 0; v < count; v++) {
-      const p = 3 * (first + v);
-      const key = `${before[p]},${before[p + 1]},${before[p + 2]},${old[3 * v]},${old[3 * v + 1]},${old[3 * v + 2]}`;
-      const known = owners.get(key);
-      owner[v] = known ?? v;
-      if (known === undefined) owners.set(key, v);
+  /** Undefined where the file has none that can be read: a fault there must not stand in the way of an export. */
+  #oldNormals(accessor: number | undefined): Float64Array | undefined {
+    try {
+      return accessor === undefined ? undefined : readAccessor(this.extra.document, accessor);
+    } catch {
+      return undefined;
     }
+  }
+
+  /** Smooth where the file was smooth: vertices that shared position and normal share their new normal. */
+  #normals(part: GltfPart, local: Float64Array, accessor: number | undefined): Float64Array | undefined {
+    const { first, count, matrix, faces } = part;
+    const old = this.#oldNormals(accessor);
+    if (old?.length !== 3 * part.count) return undefined;
+    const owner = firstEqualRow([this.extra.positions, old], [3 * first, 0], count);
     // A corner that names no vertex stays one.
-    const corners = faces.flatMap(([start, end]) =>
-      Array.from(
-        this.model.faceVertices.subarray(3 * start, 3 * end),
-        (corner) => owner[corner - first] ?? count,
-      ),
-    );
+    const corners = new GrowingUint32();
+    for (const [start, end] of faces)
+      for (const corner of this.model.faceVertices.subarray(3 * start, 3 * end))
+        corners.push(owner[corner - first] ?? count);
     const normals = vertexNormals({
       positions: local,
       faceOffsets: Uint32Array.from({ length: corners.length / 3 + 1 }, (_, f) => 3 * f),
-      faceVertices: Uint32Array.from(corners),
+      faceVertices: corners.finish(),
     });
     // The model's faces are turned over where the node mirrors; its own are not.
     const sign = determinant(matrix) < 0 ? -1 : 1;

@@ -1,6 +1,7 @@
 import { type Affine, compose, IDENTITY, multiply } from './affine';
 import { readAccessor } from './gltf-accessors';
-import { entry, type GltfDocument, type GltfNode } from './gltf-document';
+import { entry, type GltfDocument } from './gltf-document';
+import type { GltfNode } from './gltf-schema';
 
 /** A mesh where a node of the scene puts it. */
 export interface Placement {

@@ -113,17 +113,22 @@ export class TextScanner {
       let exponent = 0;
       let length = 0;
       for (; isDigit(c); c = bytes[++at], length++) exponent = exponent * 10 + (c as number) - 48;
-      if (length === 0 || length > 6) exact = false;
+      if (length > 6) exact = false;
       scale += down ? -exponent : exponent;
+      if (length === 0) digits = 0;
     }
+    if (digits === 0 || !this.#endsWord(at)) {
+      this.#passWord();
+      return oddNumber(decode(bytes, start, this.at));
+    }
+    this.at = at;
     // A whole number below 2^53 and a power of ten up to 22 are exact, so one operation rounds once.
-    if (digits > 0 && exact && scale >= -22 && scale <= 22 && this.#endsWord(at)) {
-      this.at = at;
+    if (exact && scale >= -22 && scale <= 22) {
       const value = scale < 0 ? whole / TEN[-scale]! : whole * TEN[scale]!;
       return negative ? -value : value;
     }
-    this.#passWord();
-    return numberOf(decode(bytes, start, this.at));
+    const plain = at - start <= 32;
+    return Number(plain ? String.fromCharCode(...bytes.subarray(start, at)) : decode(bytes, start, at));
   }
 
   /** A whole number with an optional sign, up to a blank, a slash or the line's end; NaN otherwise. */
@@ -190,8 +195,9 @@ export function decode(bytes: Uint8Array, start = 0, end = bytes.length): string
 
 const isDigit = (c: number | undefined): boolean => c !== undefined && c >= 48 && c <= 57;
 
-function numberOf(word: string): number {
+/** A word that is no plain decimal: infinity in one of its spellings, or NaN. */
+function oddNumber(word: string): number {
   const infinite = INFINITE.exec(word);
-  if (infinite) return infinite[1] === '-' ? -Infinity : Infinity;
-  return /^[+-]?[\d.]/.test(word) && !/^[+-]?0[xbo]/i.test(word) ? Number(word) : NaN;
+  if (!infinite) return NaN;
+  return infinite[1] === '-' ? -Infinity : Infinity;
 }
