@@ -12,14 +12,14 @@ namespace lissom {
 enum class DeformMethod {
     implicit,  ///< Fu ch. 2: implicit gradients, shear removal, reconstruction
     iterative, ///< the same, re-estimating the rotations from the last result `iterations` times
-    naive      ///< Eq 2.1: Laplacian coordinates kept as they are (the baseline to compare with)
+    naive      ///< Eq 2.1: Laplacian coordinates kept as they are (the baseline to compare with); no first system
 };
 
 struct DeformOptions {
     DeformMethod method = DeformMethod::implicit;
-    bool remove_shear = true;   ///< polar decomposition and second solve (Eq 2.10/2.11)
+    bool remove_shear = true;   ///< polar decomposition and second solve (Eq 2.10/2.11); read by `implicit` only
     bool scale_details = false; ///< Eq 2.11 (details take the local scale) instead of Eq 2.10
-    int iterations = 1;         ///< reconstructions, ≥ 1; more than one only with `iterative`
+    int iterations = 1;         ///< reconstructions, ≥ 1; read by `iterative` only
     int coherence_ring = 1;     ///< 1 or 2: which neighbours share gradients (Eq 2.7)
 };
 
@@ -35,7 +35,8 @@ struct DeformResult {
     double solve_seconds = 0;        ///< both solves
     double rotate_seconds = 0;       ///< gradients and polar decompositions
     double reconstruct_seconds = 0;  ///< right-hand side of Eq 2.10/2.11 and writing back
-    int iterations = 0;              ///< reconstructions done
+    int iterations = 0;              ///< reconstructions done; 0 for a sheared result
+    std::vector<Finding> warnings;   ///< of these targets: `rotation-near-180`, its examples are handle numbers
 };
 
 /// Implicit Laplacian deformation of a region of interest by handles.
@@ -43,6 +44,11 @@ struct DeformResult {
 /// Minimises E_L + E_R (Eq 2.6–2.8) with handle positions and gradients substituted exactly, then removes
 /// shear and solves D(v) = R_i s_i δ_i (Eq 2.10/2.11). E_L is divided by the mean edge length (with
 /// area-averaged cotangent Laplacian) so that the result does not depend on the unit of length.
+///
+/// Vertices outside the region stay where they are and hold the rest. A piece held by nothing stays at rest
+/// (`component-without-handle`). A piece held by so few points that its orientation is open (fewer than
+/// four, or all in a plane) takes that of the least rotation that fits them: one point moves it, two turn it.
+/// Of an unused vertex only a region handle that names it knows: it follows.
 ///
 /// Source: Fu, thesis ch. 2 (000); Fu et al., Computer Graphics Forum 26(1), 2007 (002).
 /// Limits: rotations between neighbouring handles below 180 degrees.
@@ -78,9 +84,10 @@ public:
     [[nodiscard]] double assemble_seconds() const;
     [[nodiscard]] double factor_seconds() const;
     [[nodiscard]] double memory_bytes() const;     ///< factors and matrices
-    /// Things the user should know: `component-without-handle`, `tiny-boundary` (a handle whose rim is so
-    /// small beside its region that local refinement there would help), `rotation-near-180`,
-    /// `nothing-free`, `factor-shifted`; same shape as the import findings.
+    /// Things the user should know: `component-without-handle` (examples: a source vertex of each),
+    /// `tiny-boundary` (handles whose rim is so small beside its region that local refinement there would
+    /// help; examples: handle numbers), `nothing-free`, `factor-shifted` (after the last step); same shape as
+    /// the import findings.
     [[nodiscard]] const std::vector<Finding>& warnings() const;
 
 private:

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "lissom/deform/deform_session.h"
+#include "lissom/deform/held_region.h"
+#include "lissom/deform/implicit_system.h"
+#include "lissom/deform/prepared_solver.h"
+#include "lissom/deform/reconstruction.h"
+
+#include <chrono>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace lissom {
+
+/// What a session knows between drags.
+struct PreparedDeform {
+    const WorkingMesh& working;
+    DeformOptions options;
+    std::vector<DeformHandle> handles;
+
+    HeldRegion region{};
+    ImplicitSystem implicit{};
+    Reconstruction rebuild{};
+    std::optional<PreparedSolver> first{};  ///< Eq 2.8; not for the naive method
+    std::optional<PreparedSolver> second{}; ///< Eq 2.10/2.11; not where shear stays
+    std::vector<std::pair<int, int>> free_sources{};   ///< source vertex and its unknown
+    std::vector<std::pair<int, int>> handle_sources{}; ///< source vertex and its handle
+
+    std::vector<Finding> warnings{};
+    double assemble_seconds = 0, factor_seconds = 0;
+
+    /// Which source vertex takes its position from where. Welded copies follow their working vertex; a vertex
+    /// without one (no triangle uses it) follows a region handle that names it.
+    void map_sources(const Roles& roles);
+    /// Factors and right-hand sides for the roles and pieces found.
+    void assemble();
+
+    [[nodiscard]] bool has_first() const { return options.method != DeformMethod::naive; }
+    [[nodiscard]] bool has_second() const { return options.method != DeformMethod::implicit || options.remove_shear; }
+};
+
+struct DeformSession::State {
+    PreparedDeform prepared;
+};
+
+/// One drag, see DeformSession::deform.
+[[nodiscard]] DeformResult drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, bool settle);
+
+/// Seconds since it was made or last asked.
+class Stopwatch {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+} // namespace lissom
