@@ -2,7 +2,7 @@
 
 import { type Finding, LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
-import { vertexCount, withPositions } from '../../core/model';
+import { type Model, vertexCount, withPositions } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
@@ -36,7 +36,10 @@ export const deformRunner: StepRunner<DeformStep> = {
       {
         model: input.opened.model,
         roi: toIndices(step.roi, count),
-        handles: handles.map(({ kind, vertices }) => ({ kind, vertices: toIndices(vertices, count) })),
+        handles: handles.map(({ kind, vertices }) => ({
+          kind,
+          vertices: toIndices(vertices, count).filter((v) => isPlaced(v, input.model)),
+        })),
         options: { method: step.method, ...step.options },
       },
       { ...signalOf(context), onProgress: (fraction) => context.onProgress(0.9 * fraction) },
@@ -62,6 +65,10 @@ const held = (step: DeformStep): DeformHandle[] =>
     if (vertices === 'all') return true;
     return 'ranges' in vertices ? vertices.ranges.length > 0 : vertices.length > 0;
   });
+
+/** A map would spread a coordinate that is no number over the others; such a vertex goes out as it came in. */
+const isPlaced = (vertex: number, { positions }: Model): boolean =>
+  positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
 
 /** What is factored: everything but where the handles go. Names and hiding are for the eye only. */
 const constraints = (step: DeformStep): object => ({
