@@ -14,7 +14,7 @@ import { Viewport } from './view/viewport';
 const test = new URLSearchParams(location.search).get('test') === '1';
 
 const stage = document.createElement('div');
-stage.className = 'viewport';
+Object.assign(stage.style, { position: 'absolute', inset: '0' });
 const canvas = document.createElement('canvas');
 stage.append(canvas);
 

@@ -96,27 +96,51 @@ test('a pen pressed harder paints wider', () => {
   expect(painted[1]).toBeGreaterThan(painted[0]!);
 });
 
-test('the first stroke makes a handle and selects it, the next ones extend it', () => {
+test('the first stroke makes a handle and selects it, one that begins on it extends it', () => {
   const table = new Table();
   const tool = paintHandle(table);
   table.click(tool, 5, 5);
-  table.click(tool, 9, 5);
+  table.stroke(tool, [
+    [7, 5],
+    [9, 5],
+  ]);
   expect(table.step.handles).toHaveLength(1);
   expect(table.selected).toBe(0);
   expect(table.step.handles[0]).toMatchObject({ kind: 'region', name: 'Handle 1' });
   expect(handle(table, 0)).toEqual(expect.arrayContaining([at(5, 5), at(9, 5)]));
 });
 
-test('a vertex belongs to one handle only, and a handle that empties goes', () => {
+test('a stroke that begins elsewhere makes another handle', () => {
   const table = new Table();
   const tool = paintHandle(table);
   table.click(tool, 5, 5);
-  table.select(null);
-  table.radius = 4;
+  table.click(tool, 15, 15);
+  expect(table.step.handles.map(({ name }) => name)).toEqual(['Handle 1', 'Handle 2']);
+  expect(table.selected).toBe(1);
+});
+
+test('a vertex belongs to one handle only, and a handle that is painted over goes', () => {
+  const table = new Table();
+  const tool = paintHandle(table);
   table.click(tool, 5, 5);
+  table.radius = 4;
+  table.stroke(tool, [
+    [15, 5],
+    [5, 5],
+  ]);
   expect(table.step.handles).toHaveLength(1);
   expect(table.selected).toBe(0);
   expect(table.step.handles[0]!.name).toBe('Handle 2');
+});
+
+test('erasing all of a handle removes it', () => {
+  const table = new Table();
+  const tool = paintHandle(table);
+  table.click(tool, 5, 5);
+  table.radius = 3;
+  table.click(tool, 5, 5, { alt: true });
+  expect(table.step.handles).toEqual([]);
+  expect(table.selected).toBeNull();
 });
 
 test('a handle painted on a moved surface starts where the surface is', () => {

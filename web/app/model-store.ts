@@ -72,7 +72,8 @@ export class ModelStore implements ModelSource {
   async #parse(ref: ModelRef): Promise<Read> {
     if ('builtin' in ref) {
       const { file, bytes } = await this.builtin(ref.builtin);
-      return readModel(bytes, file);
+      const { model, notes } = readModel(bytes, file);
+      return { model: { ...model, name: ref.builtin }, notes };
     }
     const held = this.#files.get(ref.file);
     if (!held) throw new LissomError('model-not-found', t('error.model-not-found', { name: ref.file }));

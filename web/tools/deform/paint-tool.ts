@@ -5,11 +5,16 @@ import { recipeSet, setHandleVertices } from './edits';
 import type { DeformEdit, DeformHost, DeformScene, EditLabel } from './host';
 import { radiusOf, Stroke } from './stroke';
 
-/** What a paint tool paints: the set it starts from, and the edit a new set makes. */
+/** What one gesture paints: the set it starts from, and the edit a new set makes. */
 interface Canvas {
+  readonly base: Uint32Array;
+  edit(vertices: Uint32Array): DeformEdit;
+}
+
+interface Subject {
   readonly kind: 'roi' | 'handle';
-  base(scene: DeformScene, erase: boolean): Uint32Array;
-  edit(scene: DeformScene, vertices: Uint32Array): DeformEdit;
+  /** @param first  the vertices under the brush where the gesture begins */
+  canvas(scene: DeformScene, first: ReadonlySet<number>, erase: boolean): Canvas;
 }
 
 /**
@@ -18,44 +23,44 @@ interface Canvas {
  */
 export class PaintTool implements Tool {
   readonly id: string;
-  #stroke: Painting | null = null;
+  #painting: Painting | null = null;
 
   constructor(
     private readonly host: DeformHost,
-    private readonly canvas: Canvas,
+    private readonly subject: Subject,
   ) {
-    this.id = `paint-${canvas.kind}`;
+    this.id = `paint-${subject.kind}`;
   }
 
   down(sample: PointerSample): boolean {
     const scene = this.host.scene();
     if (!scene || sample.button !== 0 || !sample.hit) return false;
     const erase = this.#erases(sample);
-    const base = new Set(this.canvas.base(scene, erase));
+    const stroke = new Stroke(this.host, scene);
+    stroke.extend([sample]);
+    const canvas = this.subject.canvas(scene, stroke.touched, erase);
+    const base = new Set(canvas.base);
     if (sample.shift) {
       const filled = scene.graph.flood(sample.hit.vertex, (v) => base.has(v) === erase);
-      this.#commit('fill', { scene, base, erase, touched: scene.mirrored(filled) });
+      this.#commit('fill', { canvas, base, erase, touched: scene.mirrored(filled) });
       return true;
     }
-    this.#stroke = { scene, base, erase, stroke: new Stroke(this.host, scene) };
-    this.move([sample]);
+    this.#painting = { canvas, base, erase, stroke };
+    this.#show(sample);
     return true;
   }
 
   move(samples: readonly PointerSample[]): void {
-    if (!this.#stroke) return;
-    const { base, erase, stroke } = this.#stroke;
-    stroke.extend(samples);
-    const vertices = result({ base, erase, touched: stroke.touched });
-    this.host.showPaint({ kind: this.canvas.kind, vertices });
     const sample = samples.at(-1);
-    if (sample) this.#showBrush(sample);
+    if (!this.#painting || !sample) return;
+    this.#painting.stroke.extend(samples);
+    this.#show(sample);
   }
 
   up(sample: PointerSample): void {
     this.move([sample]);
-    const painting = this.#stroke;
-    this.#stroke = null;
+    const painting = this.#painting;
+    this.#painting = null;
     if (!painting) return;
     this.#commit(painting.erase ? 'erase' : 'paint', { ...painting, touched: painting.stroke.touched });
     this.host.showPaint(null);
@@ -70,17 +75,25 @@ export class PaintTool implements Tool {
   }
 
   cancel(): void {
-    this.#stroke = null;
+    this.#painting = null;
     this.host.showPaint(null);
     this.host.view.setBrush(null);
   }
 
+  #show(sample: PointerSample): void {
+    if (!this.#painting) return;
+    const { base, erase, stroke } = this.#painting;
+    const vertices = result({ base, erase, touched: stroke.touched });
+    this.host.showPaint({ kind: this.subject.kind, vertices });
+    this.#showBrush(sample);
+  }
+
   /** Nothing is committed where nothing changes. */
-  #commit(verb: 'paint' | 'erase' | 'fill', change: Change & { readonly scene: DeformScene }): void {
-    const { base, erase } = change;
+  #commit(verb: 'paint' | 'erase' | 'fill', change: Change & { readonly canvas: Canvas }): void {
+    const { base, erase, canvas } = change;
     if (![...change.touched].some((v) => base.has(v) === erase)) return;
-    const label: EditLabel = `${verb}-${this.canvas.kind}`;
-    this.host.commit(label, this.canvas.edit(change.scene, result(change)));
+    const label: EditLabel = `${verb}-${this.subject.kind}`;
+    this.host.commit(label, canvas.edit(result(change)));
   }
 
   #erases = (sample: PointerSample): boolean => sample.alt !== this.host.brush().erase;
@@ -99,7 +112,7 @@ interface Change {
 }
 
 interface Painting {
-  readonly scene: DeformScene;
+  readonly canvas: Canvas;
   readonly base: ReadonlySet<number>;
   readonly erase: boolean;
   readonly stroke: Stroke;
@@ -118,27 +131,34 @@ function result({ base, erase, touched }: Change): Uint32Array {
 export const paintRoi = (host: DeformHost): PaintTool =>
   new PaintTool(host, {
     kind: 'roi',
-    base: ({ step, rest }, erase) =>
-      step.roi === 'all' && !erase ? new Uint32Array() : toIndices(step.roi, rest.length / 3),
-    edit: ({ step, selected, rest }, vertices) => ({
-      step: { ...step, roi: recipeSet(vertices, rest.length / 3) },
-      selected,
+    canvas: ({ step, selected, rest }, _, erase) => ({
+      base: step.roi === 'all' && !erase ? new Uint32Array() : toIndices(step.roi, rest.length / 3),
+      edit: (vertices) => ({ step: { ...step, roi: recipeSet(vertices, rest.length / 3) }, selected }),
     }),
   });
 
-/** The selected region handle, or a new one where none is selected. */
+/** A stroke that begins on a handle extends or erases that one (the selected one first); elsewhere it makes a new one. */
 export const paintHandle = (host: DeformHost): PaintTool =>
   new PaintTool(host, {
     kind: 'handle',
-    base: (scene) => {
-      const handle = region(scene);
-      return handle ? toIndices(handle.vertices, scene.rest.length / 3) : new Uint32Array();
+    canvas: (scene, first) => {
+      const { step, rest } = scene;
+      const index = handleUnder(scene, first);
+      const handle = index === null ? undefined : step.handles[index];
+      return {
+        base: handle ? toIndices(handle.vertices, rest.length / 3) : new Uint32Array(),
+        edit: (vertices) => setHandleVertices(scene, index, vertices, host.newName(step)),
+      };
     },
-    edit: (scene, vertices) =>
-      setHandleVertices(scene, region(scene) ? scene.selected : null, vertices, host.newName(scene.step)),
   });
 
-function region({ step, selected }: DeformScene) {
-  const handle = selected === null ? undefined : step.handles[selected];
-  return handle?.kind === 'region' ? handle : undefined;
+function handleUnder({ step, selected, rest }: DeformScene, touched: ReadonlySet<number>): number | null {
+  const order = step.handles.map((_, i) => i);
+  if (selected !== null) order.unshift(selected);
+  const found = order.find((i) => {
+    const handle = step.handles[i];
+    if (handle?.kind !== 'region' || handle.hidden) return false;
+    return toIndices(handle.vertices, rest.length / 3).some((v) => touched.has(v));
+  });
+  return found ?? null;
 }
