@@ -4,6 +4,7 @@
 import { produce } from 'immer';
 import { referencesOf } from './cross-checks';
 import type { DeformHandle, DeformStep, ModelRef, Recipe, Step } from './recipe';
+import { DEFORM_OPTIONS } from './steps/deform';
 
 export type HandlePatch = Partial<Pick<DeformHandle, 'name' | 'hidden'>> & {
   readonly vertices?: DeformHandle['vertices'];
@@ -37,7 +38,7 @@ export const newDeformStep = (id: string, model: string): DeformStep => ({
   roi: 'all',
   handles: [],
   method: 'implicit',
-  options: { removeShear: true, scaleDetails: false, iterations: 1, coherenceRing: 1 },
+  options: DEFORM_OPTIONS,
 });
 
 export const setModel = (recipe: Recipe, name: string, ref: ModelRef): Recipe =>

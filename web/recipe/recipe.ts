@@ -45,6 +45,3 @@ export type Step = v.InferOutput<typeof stepSchema>;
 export type StepType = Step['type'];
 export type ModelRef = v.InferOutput<typeof modelRef>;
 export type { DeformHandle, DeformStep } from './steps/deform';
-
-/** A document with nothing in it yet. */
-export const emptyRecipe = (): Recipe => ({ lissom: RECIPE_VERSION, models: {}, steps: [], outputs: [] });

@@ -5,9 +5,3 @@ export const LINK_PLACES = [
   { place: 'web', limit: 8000 },
   { place: 'address-bar', limit: 64_000 },
 ] as const;
-
-export type LinkPlace = (typeof LINK_PLACES)[number]['place'];
-
-/** The places a link fits; none at all means that a project file is the better way. */
-export const placesFor = (length: number): readonly LinkPlace[] =>
-  LINK_PLACES.filter(({ limit }) => length <= limit).map(({ place }) => place);

@@ -38,4 +38,4 @@ export const deformStep = v.strictObject({
 
 export type DeformStep = v.InferOutput<typeof deformStep>;
 export type DeformHandle = DeformStep['handles'][number];
-export const DEFORM_OPTIONS = v.getDefaults(options);
+export const DEFORM_OPTIONS = v.parse(options, {});
