@@ -4,6 +4,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { buildProducts } from '../build.mjs';
 import { buildTests } from '../test-cpp.mjs';
+import { buildKernel } from '../wasm.mjs';
 import { record, run, tool } from './run.mjs';
 import { root } from './system.mjs';
 
@@ -13,6 +14,7 @@ const node = process.execPath;
 export const layers = [
   { name: 'lint', run: () => check(run(node, tool('biome', 'ci', '.'))) },
   { name: 'types', run: () => check(run(node, tool('tsc', '-p', '.'))) },
+  { name: 'kernel', run: kernel },
   { name: 'C++', run: () => doctest(false) },
   { name: 'C++ under sanitizers', run: () => doctest(true) },
   { name: 'units', run: vitest },
@@ -38,6 +40,11 @@ const settled = (status, { passed, failed, skipped }) => ({
   skipped,
 });
 
+function kernel() {
+  buildKernel();
+  return check(0);
+}
+
 function doctest(sanitize) {
   const program = buildTests(sanitize);
   const { status, output } = record(program, []);
@@ -59,7 +66,7 @@ function vitest() {
 }
 
 function products() {
-  buildProducts();
+  buildProducts({ types: false }); // that is a layer of its own
   return check(run(node, ['dist-cli/lissom.mjs', '--version']));
 }
 
