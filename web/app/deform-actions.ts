@@ -120,7 +120,7 @@ export class DeformActions implements DeformService {
   applyAndContinue(): void {
     const { recipe, step } = this.document;
     if (!step) return;
-    const id = edit.uniqueName('deform 1', edit.takenNames(recipe)).replace(/^deform 1 (\d+)$/, 'deform $1');
+    const id = nextStepId(edit.takenNames(recipe));
     const next = edit.newDeformStep(id, step.id);
     const at = recipe.steps.indexOf(step) + 1;
     // What was built on the open step is built on the new one from now on.
@@ -170,6 +170,11 @@ export class DeformActions implements DeformService {
     const after = handle === undefined || handle === selection.handle ? selection : { ...selection, handle };
     if (changed !== recipe) this.document.commit(label, changed, after, merge);
   }
+}
+
+/** `deform 1`, `deform 2` … */
+function nextStepId(taken: readonly string[]): string {
+  for (let number = 1; ; number++) if (!taken.includes(`deform ${number}`)) return `deform ${number}`;
 }
 
 const STILL: Parts = { translation: [0, 0, 0], rotation: [0, 0, 0], scale: [1, 1, 1] };

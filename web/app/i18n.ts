@@ -23,10 +23,15 @@ const NUMBER = new Intl.NumberFormat('en-US', { maximumSignificantDigits: 6 });
 
 export const formatNumber = (value: number): string => NUMBER.format(value);
 
+/** `{name}` is a parameter; `{count|vertex|vertices}` a number with the word for one or for more. */
 function fill(message: string, params: Params): string {
-  return message.replace(/\{(\w+)\}/g, (whole, name: string) => {
-    const value = params[name];
-    if (value === undefined) return whole;
-    return typeof value === 'number' ? formatNumber(value) : value;
-  });
+  return message.replace(
+    /\{(\w+)(?:\|([^|}]*)\|([^}]*))?\}/g,
+    (whole, name: string, one?: string, more?: string) => {
+      const value = params[name];
+      if (value === undefined) return whole;
+      const text = typeof value === 'number' ? formatNumber(value) : value;
+      return one === undefined ? text : `${text} ${value === 1 ? one : more}`;
+    },
+  );
 }

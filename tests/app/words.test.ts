@@ -1,0 +1,76 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import path from 'node:path';
+import { fileURLToPath } from 'node:url';
+import { expect, test } from 'vitest';
+import { t, tCode } from '../../web/app/i18n';
+import words from '../../web/app/locales/en.json';
+import ui from '../../web/app/locales/en.ui.json';
+import { Tab } from './world';
+
+const root = fileURLToPath(new URL('../../web', import.meta.url));
+const sources = ['app', 'ui', 'main.tsx'].flatMap((part) => filesUnder(path.join(root, part)));
+const source = sources.map((file) => readFileSync(file, 'utf8')).join('\n');
+
+function filesUnder(file: string): string[] {
+  if (/\.tsx?$/.test(file)) return [file];
+  if (path.extname(file)) return [];
+  return readdirSync(file).flatMap((name) => filesUnder(path.join(file, name)));
+}
+
+/** Keys that are put together from a prefix and a code, as in `history.${label}`. */
+const composed = [...source.matchAll(/[`']([a-z-]+(?:\.[a-z-]+)*\.)(?:\$\{|')/g)].map(
+  ([, prefix]) => prefix!,
+);
+
+test('no message is there for nothing', () => {
+  const keys = Object.keys({ ...words, ...ui });
+  const unused = keys.filter(
+    (key) => !source.includes(`'${key}'`) && !composed.some((prefix) => key.startsWith(prefix)),
+  );
+  expect(unused).toEqual([]);
+});
+
+test('the two files do not both claim a key', () => {
+  expect(Object.keys(ui).filter((key) => Object.hasOwn(words, key))).toEqual([]);
+});
+
+test('every command and group has a title, and no title lacks its command', () => {
+  const { commands } = new Tab().app;
+  for (const { title, group } of commands.all) {
+    expect(t(title)).not.toBe('');
+    expect(ui).toHaveProperty([`ui.group.${group}`]);
+  }
+  const titles = new Set<string>(commands.all.map(({ title }) => title));
+  const orphans = Object.keys(words).filter((key) => key.startsWith('command.') && !titles.has(key));
+  expect(orphans).toEqual([]);
+});
+
+test('every finding the kernel and the readers know has a message of its own', () => {
+  const wasm = ['src/mesh', 'src/deform'].flatMap((folder) =>
+    readdirSync(path.join(root, '../wasm', folder)).map((name) => path.join(root, '../wasm', folder, name)),
+  );
+  const io = readdirSync(path.join(root, 'io')).map((name) => path.join(root, 'io', name));
+  const codes = [...wasm, ...io].flatMap((file) =>
+    [...readFileSync(file, 'utf8').matchAll(/\badd\(\s*["']([a-z]+(?:-[a-z]+)+)["']/g)].map(
+      ([, code]) => code!,
+    ),
+  );
+  expect(codes.length).toBeGreaterThan(10);
+  const silent = codes.filter((code) => !Object.hasOwn(words, `finding.${code}`));
+  expect(silent).toEqual([]);
+});
+
+test('placeholders are filled, numbers in the notation of the language', () => {
+  expect(t('toast.exported', { name: 'a.ply', vertices: 12345, reordered: 0 })).toBe(
+    'a.ply written: 12,345 vertices, 0 reordered.',
+  );
+});
+
+test('a number takes the word for one or for more', () => {
+  expect(t('finding.open-boundary', { count: 1 })).toBe('1 open boundary.');
+  expect(t('finding.open-boundary', { count: 2 })).toBe('2 open boundaries.');
+});
+
+test('a code without a message falls back to one that names it', () => {
+  expect(tCode('finding.', 'never-heard-of', 'finding.unknown', { count: 3 })).toBe('never-heard-of: 3');
+});

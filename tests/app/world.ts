@@ -1,0 +1,218 @@
+// The app without a browser: a kernel that moves every free vertex with the first handle, memory for storage.
+
+import { type BuiltApp, buildApp, type World } from '../../web/app/app';
+import type { SaveOptions } from '../../web/app/file-dialogs';
+import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
+import type { Args, DeformId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+
+/** A cube of eight vertices and twelve triangles. */
+export const CUBE_OBJ = [
+  ...[0, 1, 2, 3, 4, 5, 6, 7].map((i) => `v ${i & 1} ${(i >> 1) & 1} ${i >> 2}`),
+  ...[
+    '1 3 4',
+    '1 4 2',
+    '5 6 8',
+    '5 8 7',
+    '1 2 6',
+    '1 6 5',
+    '3 7 8',
+    '3 8 4',
+    '1 5 7',
+    '1 7 3',
+    '2 4 8',
+    '2 8 6',
+  ].map((face) => `f ${face}`),
+].join('\n');
+
+export class FakeKernel implements KernelPort {
+  readonly epoch = 0;
+  readonly calls: Method[] = [];
+  /** Settle arguments of the deform calls, in order. */
+  readonly settles: (boolean | undefined)[] = [];
+  /** Awaited before a call is answered. */
+  before: (method: Method) => Promise<void> = async () => {};
+  /** Seconds a solve claims to take. */
+  solveSeconds = 0.001;
+  #models: Float64Array[] = [];
+  #sessions: { rest: Float64Array; moved: Set<number> }[] = [];
+
+  async call<M extends Method>(
+    method: M,
+    args: Args<M>,
+    { signal }: { signal?: AbortSignal } = {},
+  ): Promise<Result<M>> {
+    this.calls.push(method);
+    await this.before(method);
+    signal?.throwIfAborted();
+    return this.#answers[method](args as never) as Result<M>;
+  }
+
+  readonly #answers: { readonly [M in Method]: (args: Args<M>) => Result<M> } = {
+    openModel: ({ positions, faceVertices }) => ({
+      model: this.#models.push(positions) as ModelId,
+      triangles: faceVertices,
+      faceOfTriangle: Uint32Array.from({ length: faceVertices.length / 3 }, (_, i) => i),
+      welded: Int32Array.from({ length: positions.length / 3 }, (_, i) => i),
+      findings: [],
+      components: 1,
+      boundaryLoops: 0,
+      eulerCharacteristic: 2,
+      oriented: true,
+      closed: true,
+    }),
+    prepareDeform: ({ model, roi, handles }) => {
+      const held = new Set(handles.slice(1).flatMap(({ vertices }) => [...vertices]));
+      const moved = new Set([...roi, ...handles[0]!.vertices].filter((v) => !held.has(v)));
+      const deform = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as DeformId;
+      return {
+        deform,
+        free: roi.length,
+        degenerate: 0,
+        warnings: [],
+        seconds: { assemble: 0.001, factor: 0.002 },
+        peakBytes: 1,
+      };
+    },
+    deform: ({ deform, targets, settle }) => {
+      this.settles.push(settle);
+      const { rest, moved } = this.#sessions[deform - 1]!;
+      const positions = rest.map((x, i) => (moved.has(Math.floor(i / 3)) ? x + targets[12 + (i % 3)]! : x));
+      return { positions, iterations: 1, seconds: { solve: this.solveSeconds, rotate: 0, reconstruct: 0 } };
+    },
+    measure: ({ positions }) => ({
+      volumeRatio: 1,
+      edgeRms: 0,
+      worstStretch: 1.25,
+      flippedTriangles: 0,
+      stretch: new Float32Array(positions.length / 3),
+    }),
+    release: () => {},
+  };
+}
+
+export class MemoryStore implements DocumentStore {
+  readonly kept = new Map<string, StoredDocument>();
+  readonly blobs = new Map<string, Uint8Array>();
+  /** Blobs written so far, to see that unchanged ones are not written again. */
+  written = 0;
+  broken = false;
+
+  documents = async () => [...this.kept.values()];
+  document = async (id: string) => this.kept.get(id);
+  blob = async (hash: string) => this.blobs.get(hash);
+  missing = async (hashes: Iterable<string>) => [...new Set(hashes)].filter((hash) => !this.blobs.has(hash));
+  async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
+    if (this.broken) throw new Error('the disk is full');
+    for (const [hash, bytes] of blobs) this.blobs.set(hash, bytes);
+    this.written += blobs.size;
+    this.kept.set(document.id, structuredClone(document));
+  }
+  async remove(ids: readonly string[]): Promise<void> {
+    for (const id of ids) this.kept.delete(id);
+    const named = new Set([...this.kept.values()].flatMap(hashesOf));
+    for (const hash of [...this.blobs.keys()]) if (!named.has(hash)) this.blobs.delete(hash);
+  }
+}
+
+export class MemoryStorage {
+  readonly #items = new Map<string, string>();
+  getItem = (key: string) => this.#items.get(key) ?? null;
+  setItem = (key: string, value: string) => void this.#items.set(key, value);
+}
+
+/** One browser: what several tabs share. */
+export class Browser {
+  readonly store = new MemoryStore();
+  readonly storage = new MemoryStorage();
+  readonly claimed = new Map<string, Tab>();
+  time = 1_000_000;
+  ids = 0;
+}
+
+/** One tab with the app in it. */
+export class Tab {
+  readonly kernel = new FakeKernel();
+  readonly saved: { name: string; bytes: Uint8Array }[] = [];
+  readonly copied: string[] = [];
+  readonly app: BuiltApp;
+  reloads = 0;
+
+  constructor(
+    readonly browser = new Browser(),
+    readonly session = new MemoryStorage(),
+  ) {
+    const world: World = {
+      kernel: this.kernel,
+      viewport: null,
+      store: browser.store,
+      claims: {
+        claim: async (id) => {
+          const owner = browser.claimed.get(id) ?? this;
+          if (owner === this) browser.claimed.set(id, this);
+          return owner === this;
+        },
+        release: (id) => void browser.claimed.delete(id),
+      },
+      dialogs: {
+        open: async () => [file('cube.obj', CUBE_OBJ)],
+        save: async (blob: Blob, { fileName }: SaveOptions) => {
+          this.saved.push({ name: fileName, bytes: new Uint8Array(await blob.arrayBuffer()) });
+          return undefined;
+        },
+      },
+      storage: browser.storage,
+      tab: session,
+      galleryBase: 'https://lissom.test/gallery/',
+      address: () => 'https://lissom.test/',
+      copy: async (text) => void this.copied.push(text),
+      persist: () => {},
+      newId: () => `document-${++browser.ids}`,
+      now: () => ++browser.time,
+      mac: false,
+      reload: () => void this.reloads++,
+    };
+    this.app = buildApp(world);
+  }
+
+  get toasts(): string[] {
+    return this.app.state.toasts.value.map(({ text }) => text);
+  }
+
+  async openCube(): Promise<void> {
+    await this.app.files.openFiles([file('cube.obj', CUBE_OBJ)]);
+    await this.app.evaluator.settled();
+  }
+
+  /** Adds a region handle on the given vertices. */
+  async addHandle(vertices: number[], name: string): Promise<void> {
+    const { document, evaluator } = this.app;
+    const step = document.step!;
+    const handle = {
+      kind: 'region' as const,
+      vertices,
+      matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+      name,
+    };
+    const steps = document.recipe.steps.map((each) =>
+      each === step ? { ...step, handles: [...step.handles, handle] } : each,
+    );
+    const selection = { step: step.id, handle: step.handles.length };
+    document.commit(`Add ${name}`, { ...document.recipe, steps }, selection);
+    await evaluator.settled();
+  }
+
+  /** The tab is closed, or crashes: nothing more is written, and what it claimed is free. */
+  close(): void {
+    this.app.dispose();
+    for (const [id, owner] of this.browser.claimed) if (owner === this) this.browser.claimed.delete(id);
+  }
+
+  /** The same tab after a reload. */
+  reloaded(): Tab {
+    this.close();
+    return new Tab(this.browser, this.session);
+  }
+}
+
+export const file = (name: string, content: string | Uint8Array): File =>
+  new File([content as BlobPart], name);
