@@ -14,10 +14,17 @@ constexpr int k_strips_at_once = 32;
 template <int W>
 [[gnu::always_inline]] inline void subtract_product(double* tile, const double* a, const double* b, int n) {
     Quad sum[W] = {};
-    for (int k = 0; k < n; ++k) {
-        const Quad rows = load(a + 4 * k);
+    const double* const end = a + 4 * n;
+    for (; a + 16 <= end; a += 16, b += 16) // by fours: engines check for interrupts once a round
+        for (int k = 0; k < 16; k += 4) {
+            const Quad rows = load(a + k);
+            for (int w = 0; w < W; ++w)
+                add_product(sum[w], rows, b[k + w]);
+        }
+    for (; a < end; a += 4, b += 4) {
+        const Quad rows = load(a);
         for (int w = 0; w < W; ++w)
-            add_product(sum[w], rows, b[4 * k + w]);
+            add_product(sum[w], rows, b[w]);
     }
     for (int w = 0; w < W; ++w) {
         Quad t = load(tile + 4 * w);

@@ -11,9 +11,14 @@ namespace lissom::solve {
 
 namespace {
 
-constexpr int k_leaf = 128;     ///< nodes not worth cutting
-constexpr int k_planes = 256;   ///< places tried along one axis
+constexpr int k_leaf = 64;       ///< nodes not worth cutting
+constexpr int k_directions = 8;  ///< across which planes are tried
+constexpr int k_planes = 256;    ///< places tried along one direction
 constexpr double k_margin = 0.2; ///< share of the nodes that each side keeps at least
+
+typedef short Bins __attribute__((vector_size(2 * k_directions)));
+using Directions = Eigen::Matrix<double, 3, k_directions>;
+using Projections = Eigen::Matrix<double, 1, k_directions>;
 
 enum class Side { left, right };
 
@@ -21,7 +26,7 @@ enum class Side { left, right };
 /// are the separator.
 struct Cut {
     double cost = INFINITY;
-    int axis = 0, plane = 0;
+    int direction = 0, plane = 0;
     Side separator = Side::left;
 };
 
@@ -64,70 +69,81 @@ private:
         dissect({middle, end});
     }
 
-    /// Principal axes of the nodes, longest first, as bins of equal thickness.
-    void fill_bins(std::span<const int> nodes) {
-        Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
-        for (const int i : nodes)
-            mean += coordinates_.row(i);
-        mean /= static_cast<double>(nodes.size());
+    /// Pieces of a surface are flat more often than not: all directions but one lie in the plane of the
+    /// two longer principal axes.
+    [[nodiscard]] Directions directions(std::span<const int> nodes, const Eigen::RowVector3d& mean) const {
         Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
         for (const int i : nodes) {
             const Eigen::RowVector3d x = coordinates_.row(i) - mean;
             covariance += x.transpose() * x;
         }
-        const Eigen::Matrix3d axes =
-            Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors().rowwise().reverse();
-        Eigen::RowVector3d low = Eigen::RowVector3d::Constant(INFINITY), high = -low;
+        const Eigen::Matrix3d axes = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(covariance).eigenvectors();
+        Directions out;
+        for (int d = 0; d < k_directions - 1; ++d) {
+            const double angle = M_PI * d / (k_directions - 1);
+            out.col(d) = std::cos(angle) * axes.col(2) + std::sin(angle) * axes.col(1);
+        }
+        out.col(k_directions - 1) = axes.col(0);
+        return out;
+    }
+
+    /// Sorts the nodes into slices of equal thickness across every direction.
+    void fill_bins(std::span<const int> nodes) {
+        Eigen::RowVector3d mean = Eigen::RowVector3d::Zero();
+        for (const int i : nodes)
+            mean += coordinates_.row(i);
+        mean /= static_cast<double>(nodes.size());
+        const Directions across = directions(nodes, mean);
+        Projections low = Projections::Constant(INFINITY), high = -low;
         for (const int i : nodes) {
-            const Eigen::RowVector3d x = (coordinates_.row(i) - mean) * axes;
+            const Projections x = (coordinates_.row(i) - mean) * across;
             low = low.cwiseMin(x);
             high = high.cwiseMax(x);
         }
-        const Eigen::RowVector3d extent = high - low;
+        const Projections extent = high - low;
         for (const int i : nodes) {
-            const Eigen::RowVector3d x = (coordinates_.row(i) - mean) * axes - low;
-            for (int a = 0; a < 3; ++a) {
-                const double share = extent[a] > 0 ? x[a] / extent[a] : 0;
-                bins_[i][a] = static_cast<short>(std::clamp(static_cast<int>(share * k_planes), 0, k_planes - 1));
+            const Projections x = (coordinates_.row(i) - mean) * across - low;
+            for (int d = 0; d < k_directions; ++d) {
+                const double share = extent[d] > 0 ? x[d] / extent[d] : 0;
+                bins_[i][d] = static_cast<short>(std::clamp(share * k_planes, 0.0, k_planes - 1.0));
             }
         }
     }
 
-    /// Tries every plane of every axis: a node lies in the separator of the planes between its own bin and
+    /// Tries every plane: a node lies in the separator of the planes between its own bin and
     /// its farthest neighbour's, so that all sizes come out of one pass over the edges.
     Cut best_cut(std::span<const int> nodes, int id) {
         fill_bins(nodes);
-        using Counts = std::array<std::array<int, 3>, k_planes + 1>;
+        using Counts = std::array<std::array<int, k_directions>, k_planes + 1>;
         Counts inside{}, left{}, right{};
         for (const int i : nodes) {
-            std::array<short, 3> low = bins_[i], high = bins_[i];
+            Bins low = bins_[i], high = bins_[i];
             for (const int j : graph_[i]) {
                 if (part_[j] != id)
                     continue;
-                for (int a = 0; a < 3; ++a) {
-                    low[a] = std::min(low[a], bins_[j][a]);
-                    high[a] = std::max(high[a], bins_[j][a]);
-                }
+                const Bins other = bins_[j];
+                low = other < low ? other : low;
+                high = other > high ? other : high;
             }
-            for (int a = 0; a < 3; ++a) {
-                const int own = bins_[i][a];
-                ++inside[own][a];
-                ++left[own][a];
-                --left[high[a]][a];
-                ++right[low[a]][a];
-                --right[own][a];
+            for (int d = 0; d < k_directions; ++d) {
+                const int own = bins_[i][d];
+                ++inside[own][d];
+                ++left[own][d];
+                --left[high[d]][d];
+                ++right[low[d]][d];
+                --right[own][d];
             }
         }
         const double n = static_cast<double>(nodes.size());
         Cut best;
-        for (int a = 0; a < 3; ++a) {
+        for (int d = 0; d < k_directions; ++d) {
             int below = 0, on_left = 0, on_right = 0;
             for (int plane = 0; plane < k_planes - 1; ++plane) {
-                below += inside[plane][a];
-                on_left += left[plane][a];
-                on_right += right[plane][a];
-                consider(best, {0, a, plane, Side::left}, on_left, (below - on_left) / n, (n - below) / n);
-                consider(best, {0, a, plane, Side::right}, on_right, below / n, (n - below - on_right) / n);
+                below += inside[plane][d];
+                on_left += left[plane][d];
+                on_right += right[plane][d];
+                consider(best, {0, d, plane, Side::left}, on_left, (below - on_left) / n, (n - below) / n);
+                consider(best, {0, d, plane, Side::right}, on_right, below / n, (n - below - on_right) / n);
             }
         }
         return best;
@@ -136,13 +152,13 @@ private:
     static void consider(Cut& best, Cut cut, int separator, double left, double right) {
         if (std::min(left, right) < k_margin)
             return;
-        cut.cost = (separator + 1) / (left * right);
+        cut.cost = (separator + 1) / std::sqrt(left * right);
         if (cut.cost < best.cost)
             best = cut;
     }
 
     void classify(std::span<const int> nodes, int id, const Cut& cut, int left, int right, int between) {
-        const auto is_left = [&](int i) { return bins_[i][cut.axis] <= cut.plane; };
+        const auto is_left = [&](int i) { return bins_[i][cut.direction] <= cut.plane; };
         std::vector<int> separator;
         for (const int i : nodes) {
             if (is_left(i) != (cut.separator == Side::left))
@@ -182,7 +198,7 @@ private:
     Points coordinates_;
     std::vector<int> part_; ///< which piece a node is in
     int parts_ = 0;
-    std::vector<std::array<short, 3>> bins_; ///< along the axes of the piece being cut
+    std::vector<Bins> bins_; ///< of the piece being cut
     std::vector<int> local_;
 };
 

@@ -46,7 +46,7 @@ std::vector<Block> exact_blocks(const EliminationTree& tree) {
 /// True where one panel of these columns is cheaper than two, although a share of it is zero. Narrow panels
 /// pay for themselves: their cost is overhead, not arithmetic.
 bool worth_merging(double width, double zero_share) {
-    return width <= 4 || zero_share < (width <= 16 ? 0.6 : width <= 48 ? 0.15 : 0.05);
+    return width <= 4 || zero_share < (width <= 16 ? 0.3 : width <= 48 ? 0.1 : 0.03);
 }
 
 void amalgamate(std::vector<Block>& blocks) {

@@ -10,10 +10,10 @@ namespace {
 /// Σ over the first n columns of a strip, times the rows of x (n×K): four sums per right-hand side.
 template <int K>
 [[gnu::always_inline]] inline void multiply_strip(Quad (&sum)[K], const double* strip, const double* x, int n) {
-    for (int k = 0; k < n; ++k) {
-        const Quad l = load(strip + 4 * k);
+    for (const double* const end = strip + 4 * n; strip < end; strip += 4, x += K) {
+        const Quad l = load(strip);
         for (int r = 0; r < K; ++r)
-            add_product(sum[r], l, x[K * k + r]);
+            add_product(sum[r], l, x[r]);
     }
 }
 
@@ -21,10 +21,10 @@ template <int K>
 template <int K>
 [[gnu::always_inline]] inline void multiply_transposed(double* sums, const double* strip, const Quad (&y)[K],
                                                        int n) {
-    for (int k = 0; k < n; ++k) {
-        const Quad l = load(strip + 4 * k);
+    for (const double* const end = strip + 4 * n; strip < end; strip += 4, sums += 2 * K) {
+        const Quad l = load(strip);
         for (int r = 0; r < K; ++r)
-            reinterpret_cast<Pair*>(sums)[K * k + r] += l.low * y[r].low + l.high * y[r].high;
+            *reinterpret_cast<Pair*>(sums + 2 * r) += l.low * y[r].low + l.high * y[r].high;
     }
 }
 
