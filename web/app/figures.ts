@@ -92,7 +92,7 @@ function publish(state: State, evaluation: Evaluation | null): void {
 export function whatItDid(evaluation: Evaluation, measured: Measured): WhatItDid {
   const { step, input, positions } = evaluation;
   const { volumeRatio, edgeRms, flippedTriangles } = measured;
-  const worstStretch = Math.abs(measured.worstStretch - 1);
+  const worstStretch = measured.worstStretch - 1;
   const rest = input.model.positions;
   const limit = EXACT * extent(rest);
   const met = step.handles.filter((handle) => gap(handle, rest, positions, input.opened) <= limit).length;

@@ -66,7 +66,7 @@ export interface WhatItDid {
   /** 1 = unchanged; of no meaning for an open surface (see `closed`). */
   readonly volumeRatio: number;
   readonly closed: boolean;
-  /** max |l/l₀ − 1| over the edges. */
+  /** l/l₀ − 1 of the edge whose length changed most: above 0 stretched, below squeezed. */
   readonly worstStretch: number;
   readonly edgeRms: number;
   readonly flippedTriangles: number;

@@ -16,8 +16,8 @@ const EASE = 50;
 const NEAREST = 1e-3;
 /** A single vertex is shown from no nearer than this. */
 const SMALLEST_FRAME = 0.1;
-/** The viewport is this much larger than what it frames. */
-const AIR = 1.22;
+/** The viewport is this much larger than what it frames: a handle at the top needs room for its gizmo. */
+const AIR = 1.36;
 const FARTHEST = 60;
 
 const PRESETS: Readonly<Record<ViewPreset, readonly [turn: number, tilt: number]>> = {

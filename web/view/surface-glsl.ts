@@ -48,9 +48,10 @@ uniform bool brushDashed;
 float slope(float field) { return max(length(vec2(dFdx(field), dFdy(field))), 1e-7); }
 
 // The regions' part of the picture: the tint joins the clay before light falls on it, the line lies over all.
+// A tint would falsify the colours of a heat map: there the line must do.
 void paintRegion(float field, vec4 fill, vec4 line, float width, inout vec3 base, inout vec4 over) {
   float inside = (field - 0.5) / slope(field);
-  base = mix(base, fill.rgb, fill.a * clamp(inside + 0.5, 0.0, 1.0));
+  if (!heatShown) base = mix(base, fill.rgb, fill.a * clamp(inside + 0.5, 0.0, 1.0));
   float half_ = 0.5 * width * pixelRatio;
   float cover = line.a * clamp(half_ + 0.5 - abs(inside - half_), 0.0, 1.0);
   over = vec4(mix(over.rgb * over.a, line.rgb, cover), mix(over.a, 1.0, cover));

@@ -34,7 +34,7 @@ export function toolCommands({ state, deform, gestures }: CommandContext): Comma
       id: 'brush.smaller',
       group,
       title: 'command.brush.smaller',
-
+      icon: 'minus',
       keys: ['['],
       run: resize(1 / STEP),
     },

@@ -4,6 +4,8 @@ import { Icon } from './icon';
 interface Props extends Omit<ButtonHTMLAttributes<HTMLButtonElement>, 'icon' | 'label'> {
   /** Always the accessible name; shown too unless `iconOnly`. */
   label: string;
+  /** Shown in its place where there is little room; must begin the label. */
+  short?: string;
   icon?: string;
   iconOnly?: boolean;
   kind?: 'quiet' | 'solid' | 'primary' | 'danger';
@@ -15,6 +17,7 @@ interface Props extends Omit<ButtonHTMLAttributes<HTMLButtonElement>, 'icon' | '
 
 export function Button({
   label,
+  short,
   icon,
   iconOnly,
   kind = 'quiet',
@@ -29,13 +32,13 @@ export function Button({
       type="button"
       {...rest}
       class={rest.class ? `${look} ${rest.class}` : look}
-      aria-label={iconOnly ? label : undefined}
+      aria-label={iconOnly || short ? label : undefined}
       aria-pressed={pressed}
-      title={iconOnly ? (shortcut ? `${label} (${shortcut})` : label) : undefined}
+      title={iconOnly || short ? (shortcut ? `${label} (${shortcut})` : label) : undefined}
     >
       {icon && <Icon name={icon} />}
-      {!iconOnly && <span>{label}</span>}
-      {!iconOnly && shortcut && <span class="shortcut">{shortcut}</span>}
+      {!iconOnly && <span>{short ?? label}</span>}
+      {!iconOnly && !short && shortcut && <span class="shortcut">{shortcut}</span>}
       {children}
     </button>
   );

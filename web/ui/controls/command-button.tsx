@@ -4,6 +4,7 @@ import { Button } from './button';
 
 interface Props {
   command: string;
+  short?: string;
   iconOnly?: boolean;
   kind?: 'quiet' | 'solid' | 'primary' | 'danger';
   showShortcut?: boolean;
@@ -11,7 +12,7 @@ interface Props {
 }
 
 /** A button for a registered command: name, icon, shortcut and state all come from the registry. */
-export function CommandButton({ command: id, iconOnly, kind, showShortcut, role }: Props) {
+export function CommandButton({ command: id, short, iconOnly, kind, showShortcut, role }: Props) {
   const { commands, keymap } = useApp();
   const command = commands.get(id);
   const hint = keymap.hint(id);
@@ -20,11 +21,12 @@ export function CommandButton({ command: id, iconOnly, kind, showShortcut, role 
     <Button
       label={t(command.title)}
       {...(command.icon ? { icon: command.icon } : {})}
+      {...(short ? { short } : {})}
       {...(iconOnly ? { iconOnly } : {})}
       {...(kind ? { kind } : {})}
       {...(role ? { role } : {})}
       {...(checked === undefined ? {} : { pressed: checked })}
-      shortcut={iconOnly || showShortcut ? hint || undefined : undefined}
+      shortcut={iconOnly || short || showShortcut ? hint || undefined : undefined}
       disabled={!commands.isEnabled(id)}
       data-command={id}
       onClick={() => commands.run(id)}

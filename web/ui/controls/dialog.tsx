@@ -19,6 +19,8 @@ export function Dialog({ title, closeLabel, onClose, wide, children, footer }: P
     const dialog = ref.current;
     const before = document.activeElement;
     if (dialog && !dialog.open) dialog.showModal();
+    // Not the close button, which comes first: what the dialog is for, or else the dialog as a whole.
+    (dialog?.querySelector<HTMLElement>('[data-first]') ?? dialog)?.focus();
     return () => {
       dialog?.close();
       if (before instanceof HTMLElement) before.focus();
@@ -30,6 +32,7 @@ export function Dialog({ title, closeLabel, onClose, wide, children, footer }: P
       ref={ref}
       class={wide ? 'dialog wide' : 'dialog'}
       aria-labelledby={id}
+      tabIndex={-1}
       onClose={onClose}
       onClick={(e) => e.target === ref.current && ref.current?.close()}
     >

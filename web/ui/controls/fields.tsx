@@ -21,7 +21,7 @@ export function NumberField(props: NumberProps) {
   const [typed, setTyped] = useState<string | null>(null);
   const scrub = useRef<{ x: number; from: number; moved: boolean } | null>(null);
   const clamp = (n: number) => Math.min(props.max ?? Infinity, Math.max(props.min ?? -Infinity, n));
-  const shown = String(Number(value.toFixed(digits)));
+  const shown = String(Number(value.toFixed(digits)) + 0);
   const wrong = typed !== null && !Number.isFinite(parse(typed));
 
   const finish = () => {
@@ -133,11 +133,13 @@ export function SliderField(props: SliderProps) {
 interface VectorProps extends Omit<NumberProps, 'value' | 'onChange' | 'axis'> {
   value: readonly [number, number, number];
   onChange: (value: [number, number, number]) => void;
+  /** What the short label leaves out, as a tooltip. */
+  title?: string;
 }
 
-export function VectorField({ value, onChange, label, ...rest }: VectorProps) {
+export function VectorField({ value, onChange, label, title, ...rest }: VectorProps) {
   return (
-    <fieldset class="field" style={{ border: 0, margin: 0, padding: 0 }}>
+    <fieldset class="field vector-field" title={title}>
       <legend class="visually-hidden">{label}</legend>
       <span class="label" aria-hidden="true">
         {label}

@@ -4,7 +4,15 @@ import { CommandButton } from '../controls/command-button';
 import { Icon } from '../controls/icon';
 import { Section } from '../controls/section';
 
-const signed = (value: number): string => `${value >= 0 ? '+' : '−'}${Math.abs(value * 100).toFixed(1)} %`;
+/** `+31 %`, `−40 %`, and plain `0 %` for what did not change. */
+function signed(value: number, digits: number): string {
+  const percent = (Math.abs(value) * 100).toFixed(digits);
+  const sign = Number(percent) === 0 ? '' : value > 0 ? '+' : '−';
+  return `${sign}${percent} %`;
+}
+
+/** Edges beyond these lengths have lost their triangles' shape. */
+const isStrained = (stretch: number): boolean => stretch > 1 || stretch < -0.5;
 
 /** What the edit did, in numbers. */
 export function EffectPanel() {
@@ -19,11 +27,11 @@ export function EffectPanel() {
           {did.closed && (
             <>
               <dt>{t('ui.effect.volume')}</dt>
-              <dd>{signed(did.volumeRatio - 1)}</dd>
+              <dd>{signed(did.volumeRatio - 1, 1)}</dd>
             </>
           )}
           <dt>{t('ui.effect.stretch')}</dt>
-          <dd class={did.worstStretch > 1 ? 'warn' : ''}>{(did.worstStretch * 100).toFixed(0)} %</dd>
+          <dd class={isStrained(did.worstStretch) ? 'warn' : ''}>{signed(did.worstStretch, 0)}</dd>
           <dt>{t('ui.effect.rms')}</dt>
           <dd>{(did.edgeRms * 100).toFixed(1)} %</dd>
           <dt>{t('ui.effect.met')}</dt>

@@ -17,7 +17,7 @@ export function PosePanel() {
         label={t('ui.pose.move')}
         value={pose.translation}
         step={0.01}
-        digits={4}
+        digits={3}
         onChange={(translation) => deform.setPose(index, { translation }, true)}
         onCommit={finish}
       />
@@ -25,9 +25,10 @@ export function PosePanel() {
         <>
           <VectorField
             label={t('ui.pose.turn')}
+            title={t('ui.pose.turn.help')}
             value={pose.rotation}
             step={1}
-            digits={2}
+            digits={1}
             onChange={(rotation) => deform.setPose(index, { rotation }, true)}
             onCommit={finish}
           />

@@ -15,9 +15,9 @@ export function RegionPanel() {
         {free !== null && ` · ${t('ui.region.free', { count: free })}`}
       </p>
       <div class="buttons">
-        <CommandButton command="tool.paint-roi" kind="solid" />
-        <CommandButton command="roi.everything" kind="solid" />
-        <CommandButton command="roi.clear" kind="solid" />
+        <CommandButton command="tool.paint-roi" kind="solid" short={t('ui.region.paint')} />
+        <CommandButton command="roi.everything" kind="solid" short={t('ui.region.everything')} />
+        <CommandButton command="roi.clear" kind="solid" short={t('ui.region.clear')} />
       </div>
     </Section>
   );

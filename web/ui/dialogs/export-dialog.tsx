@@ -20,7 +20,7 @@ export function ExportDialog({ onClose }: { onClose: () => void }) {
       footer={
         <>
           <Button label={t('ui.cancel')} onClick={onClose} />
-          <Button kind="primary" icon="download" label={t('ui.export.save')} onClick={save} />
+          <Button kind="primary" icon="download" label={t('ui.export.save')} onClick={save} data-first />
         </>
       }
     >

@@ -7,13 +7,14 @@ export function StatusBar() {
   const { state } = useApp();
   const figures = state.figures.value;
   const busy = state.busy.value;
+  // Leftmost, so that its coming and going moves nothing else.
   const parts = [
+    state.previewing.value && figures.fps >= 2 && t('ui.figure.fps', { count: Math.round(figures.fps) }),
     figures.vertices !== null && t('ui.figure.vertices', { count: figures.vertices }),
     figures.free !== null && t('ui.figure.free', { count: figures.free }),
     figures.factor !== null && t('ui.figure.factor', { ms: Math.round(figures.factor) }),
     figures.solve !== null && t('ui.figure.solve', { ms: milliseconds(figures.solve) }),
     figures.drag !== null && t('ui.figure.drag', { ms: Math.round(figures.drag) }),
-    figures.fps > 0 && t('ui.figure.fps', { count: Math.round(figures.fps) }),
   ].filter((part): part is string => typeof part === 'string');
   return (
     <footer class="status-bar">
