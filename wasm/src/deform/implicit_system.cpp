@@ -11,7 +11,7 @@ using Eigen::Vector3d;
 
 /// Strength of the term that gives an orientation to a piece that only points hold, against E_R of a piece
 /// that turns once from end to end (which is about 1 whatever the resolution).
-constexpr double k_rest_weight = 1e-3;
+constexpr double k_rest_weight = 2e-2;
 
 class Assembly {
 public:
