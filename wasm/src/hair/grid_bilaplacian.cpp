@@ -61,13 +61,21 @@ GridBilaplacian::GridBilaplacian(const Vector3i& size) : size_(size), inverse_(s
     for (int d = 0; d < 3; ++d) table_ = along(table_, shape, d, image[d]);
 }
 
-MatrixXd GridBilaplacian::apply_inverse(const MatrixXd& f) const {
+MatrixXd GridBilaplacian::apply_inverse(const MatrixXd& f) const { return filtered(f, inverse_); }
+
+MatrixXd GridBilaplacian::apply_inverse(const MatrixXd& f, double shift) const {
+    Eigen::VectorXd factors = inverse_.array() / (1 + shift * inverse_.array());
+    factors[0] = 1 / shift;
+    return filtered(f, factors);
+}
+
+MatrixXd GridBilaplacian::filtered(const MatrixXd& f, const Eigen::VectorXd& factors) const {
     MatrixXd out(f.rows(), f.cols());
     for (Index c = 0; c < f.cols(); ++c) {
         std::vector<double> box(f.col(c).data(), f.col(c).data() + f.rows());
         Vector3i shape = size_;
         for (int d = 0; d < 3; ++d) box = along(box, shape, d, cosine_[d]);
-        Eigen::Map<Eigen::VectorXd>(box.data(), inverse_.size()).array() *= inverse_.array();
+        Eigen::Map<Eigen::VectorXd>(box.data(), factors.size()).array() *= factors.array();
         for (int d = 0; d < 3; ++d) box = along(box, shape, d, cosine_[d].transpose());
         out.col(c) = Eigen::Map<const Eigen::VectorXd>(box.data(), f.rows());
     }

@@ -185,27 +185,28 @@ HeadDistance::HeadDistance(const TriangleMesh& head, const Grid& grid) : grid_(g
     sweep(samples_, known, grid);
 }
 
-double HeadDistance::at(const Vector3d& p) const {
-    const Cell cell = cell_of(grid_, p);
-    double sum = 0;
-    for (int k = 0; k < 8; ++k) sum += cell.weights[k] * static_cast<double>(samples_[static_cast<std::size_t>(cell.nodes[k])]);
-    if (grid_.contains(p)) return sum;
+HeadDistance::Sample HeadDistance::sample(const Vector3d& p) const {
     const Vector3d q = grid_.local(p);
     const Vector3d inside = q.array().max(0.0).min((grid_.size.array() - 1).cast<double>());
-    return sum + (q - inside).norm() * grid_.step;
+    const int x = std::min(static_cast<int>(inside.x()), grid_.size.x() - 2),
+              y = std::min(static_cast<int>(inside.y()), grid_.size.y() - 2),
+              z = std::min(static_cast<int>(inside.z()), grid_.size.z() - 2);
+    const double u = inside.x() - x, v = inside.y() - y, w = inside.z() - z;
+    const auto row = static_cast<std::size_t>(grid_.size.x()), slab = row * static_cast<std::size_t>(grid_.size.y());
+    const float* s = samples_.data() + static_cast<std::size_t>(grid_.node(x, y, z));
+    const double s000 = s[0], s100 = s[1], s010 = s[row], s110 = s[row + 1], s001 = s[slab], s101 = s[slab + 1],
+                 s011 = s[slab + row], s111 = s[slab + row + 1];
+    const double x00 = s000 + u * (s100 - s000), x10 = s010 + u * (s110 - s010), x01 = s001 + u * (s101 - s001),
+                 x11 = s011 + u * (s111 - s011);
+    const double y0 = x00 + v * (x10 - x00), y1 = x01 + v * (x11 - x01);
+    const Vector3d gradient((1 - w) * ((1 - v) * (s100 - s000) + v * (s110 - s010)) +
+                                w * ((1 - v) * (s101 - s001) + v * (s111 - s011)),
+                            (1 - w) * (x10 - x00) + w * (x11 - x01), y1 - y0);
+    return {y0 + w * (y1 - y0) + (q - inside).norm() * grid_.step, gradient / grid_.step};
 }
 
-Vector3d HeadDistance::gradient(const Vector3d& p) const {
-    const Cell cell = cell_of(grid_, p);
-    const Vector3d low = grid_.local(grid_.position(cell.nodes[0]));
-    const Vector3d t = (grid_.local(p) - low).array().max(0.0).min(1.0);
-    Vector3d g = Vector3d::Zero();
-    for (int k = 0; k < 8; ++k) {
-        const double s = samples_[static_cast<std::size_t>(cell.nodes[k])];
-        const double w[3] = {k & 1 ? t[0] : 1 - t[0], k & 2 ? t[1] : 1 - t[1], k & 4 ? t[2] : 1 - t[2]};
-        g += s * Vector3d((k & 1 ? 1 : -1) * w[1] * w[2], (k & 2 ? 1 : -1) * w[0] * w[2], (k & 4 ? 1 : -1) * w[0] * w[1]);
-    }
-    return g / grid_.step;
-}
+double HeadDistance::at(const Vector3d& p) const { return sample(p).distance; }
+
+Vector3d HeadDistance::gradient(const Vector3d& p) const { return sample(p).gradient; }
 
 } // namespace lissom

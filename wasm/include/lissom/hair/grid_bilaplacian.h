@@ -21,6 +21,9 @@ public:
     /// (Δ²)⁺ applied to each column of `f` (count×k): what is constant in `f` is dropped.
     [[nodiscard]] Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& f) const;
 
+    /// (Δ² + shift)⁻¹ applied to each column of `f`, constants included. @param shift  above 0
+    [[nodiscard]] Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& f, double shift) const;
+
     /// Entry (p, q) of (Δ²)⁺: the field at node p of a unit load at node q (and its mean taken off).
     /// Eight look-ups, by reflection at the walls.
     [[nodiscard]] double green(const Eigen::Vector3i& p, const Eigen::Vector3i& q) const;
@@ -30,6 +33,8 @@ public:
                                         const std::vector<Eigen::Vector3i>& columns) const;
 
 private:
+    [[nodiscard]] Eigen::MatrixXd filtered(const Eigen::MatrixXd& f, const Eigen::VectorXd& factors) const;
+
     Eigen::Vector3i size_;
     Eigen::MatrixXd cosine_[3];     // orthonormal DCT-II, row k is φ_k
     Eigen::VectorXd inverse_;       // 1/λ_k², 0 for the constant

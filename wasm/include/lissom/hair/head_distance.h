@@ -26,6 +26,13 @@ public:
     /// Away from the head, length about 1 (exactly the gradient of `at`); zero only at medial points.
     [[nodiscard]] Eigen::Vector3d gradient(const Eigen::Vector3d& p) const;
 
+    /// Both at once.
+    struct Sample {
+        double distance;
+        Eigen::Vector3d gradient;
+    };
+    [[nodiscard]] Sample sample(const Eigen::Vector3d& p) const;
+
     [[nodiscard]] const Grid& grid() const { return grid_; }
 
 private:

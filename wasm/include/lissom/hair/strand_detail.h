@@ -1,0 +1,48 @@
+#pragma once
+
+#include "lissom/hair/strand_growth.h"
+
+namespace lissom {
+
+/// What keeps hair from looking combed by a machine: the local variation that a smooth field lacks (Fu 4.7).
+struct DetailOptions {
+    double clump = 0.4;                ///< 0..1: how closely tips gather
+    double curl = 0;                   ///< 0..1: radius of the curls, 1 being 4 % of the head's height
+    std::optional<double> curl_length; ///< of one turn, head units; 16 % of the head's height when left out
+    double frizz = 0.25;               ///< 0..1: small waves of each strand's own
+    double flyaways = 0.02;            ///< 0..1: share of strands that stand off
+};
+
+/// Adds detail to grown strands, each from its own number: the same strand whatever is grown beside it.
+///
+/// In this order: clumps of two sizes, curls in a parallel-transported frame, frizz, flyaways, and at last no point
+/// in the head and none across its parting.
+class StrandDetail {
+public:
+    static constexpr int guides = 3000;       ///< strands that the small clumps gather round: the first of all
+    static constexpr int large_guides = 300;  ///< those that the large clumps do
+
+    /// @param guide_strands  the first `guides` strands as grown
+    /// @throws InvalidInput `bad-option`
+    StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings,
+                 const DetailOptions& options, std::uint64_t seed, std::vector<Strand> guide_strands);
+
+    void apply(Strand& strand, std::uint64_t index) const;
+
+private:
+    [[nodiscard]] int guide_of(const Root& root, PartingGuard::Side side, int among) const;
+    void gather(Strand& strand, const Strand& guide, double strength, double root_share) const;
+    void curl(Strand& strand, std::uint64_t index, std::uint64_t clump) const;
+    void roughen(Strand& strand, std::uint64_t index) const;
+
+    const HairVolume& volume_;
+    const HeadDistance& head_;
+    const PartingGuard& partings_;
+    DetailOptions options_;
+    std::uint64_t seed_;
+    std::vector<Strand> guides_;
+    Grid buckets_;                        // of guide roots
+    std::vector<std::vector<int>> bucket_;
+};
+
+} // namespace lissom

@@ -1,0 +1,172 @@
+#include "lissom/hair/strand_detail.h"
+
+#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/errors.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace lissom {
+
+using Eigen::Vector3d;
+
+namespace {
+
+enum Purpose : std::uint64_t { in_clump = 20, in_phase, in_turn, in_radius, in_frizz, in_flyaway, in_shape };
+
+// Sizes in head heights.
+constexpr double k_curl_radius = 0.04, k_curl_length = 0.16, k_curl_rise = 0.25;
+constexpr double k_frizz_size = 0.014, k_frizz_length = 0.05, k_frizz_rise = 0.12;
+constexpr double k_flyaway_size = 0.06, k_flyaway_length = 0.3;
+constexpr double k_clearance = 0.003, k_apart = 0.12;
+constexpr double k_large_share = 0.45; // of the clumping that the large clumps do
+
+double smooth(double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+/// Smooth noise of one variable in [-1, 1]³: random vectors at whole numbers, eased between.
+Vector3d noise(double t, std::uint64_t seed, std::uint64_t strand, std::uint64_t purpose) {
+    const double low = std::floor(t);
+    const auto at = [&](double knot) -> Vector3d {
+        const std::uint64_t bits = hash_bits(hash_bits(seed, strand, purpose) + static_cast<std::uint64_t>(knot));
+        return {unit(bits) * 2 - 1, unit(hash_bits(bits)) * 2 - 1, unit(hash_bits(bits ^ 0x5bf03635u)) * 2 - 1};
+    };
+    const double w = smooth(t - low);
+    return (1 - w) * at(low) + w * at(low + 1);
+}
+
+} // namespace
+
+StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings,
+                           const DetailOptions& options, std::uint64_t seed, std::vector<Strand> guide_strands)
+    : volume_(volume), head_(head), partings_(partings), options_(options), seed_(seed), guides_(std::move(guide_strands)) {
+    for (const double share : {options.clump, options.curl, options.frizz, options.flyaways})
+        if (!(share >= 0 && share <= 1)) throw InvalidInput("bad-option", "Clump, curl, frizz and flyaways go from 0 to 1.");
+    if (options.curl_length && !(*options.curl_length > 0))
+        throw InvalidInput("bad-option", "The length of a curl is a number above 0.");
+
+    Vector3d low = Vector3d::Constant(INFINITY), high = -low;
+    for (const Strand& g : guides_) {
+        low = low.cwiseMin(g.root.position);
+        high = high.cwiseMax(g.root.position);
+    }
+    if (guides_.empty()) return;
+    buckets_.step = std::max((high - low).maxCoeff() / 24, 1e-9 * volume.head_height);
+    buckets_.origin = low;
+    buckets_.size = ((high - low) / buckets_.step).array().floor().cast<int>() + 1;
+    bucket_.resize(static_cast<std::size_t>(buckets_.count()));
+    for (std::size_t g = 0; g < guides_.size(); ++g) {
+        const Eigen::Vector3i c = buckets_.local(guides_[g].root.position).cast<int>();
+        bucket_[static_cast<std::size_t>(buckets_.node(c.x(), c.y(), c.z()))].push_back(static_cast<int>(g));
+    }
+    for (std::size_t g = large_guides; g < guides_.size(); ++g) { // small clumps lean together into large ones
+        const int large = guide_of(guides_[g].root, guides_[g].side, large_guides);
+        if (large >= 0) gather(guides_[g], guides_[static_cast<std::size_t>(large)], k_large_share * options_.clump, 0.1);
+    }
+}
+
+int StrandDetail::guide_of(const Root& root, PartingGuard::Side side, int among) const {
+    if (bucket_.empty()) return -1;
+    const Eigen::Vector3i at = buckets_.local(root.position).cwiseMax(0.0).cast<int>().cwiseMin((buckets_.size.array() - 1).matrix());
+    int best = -1;
+    double nearest = INFINITY;
+    const int widest = among < static_cast<int>(guides_.size()) ? 6 : 2;
+    for (int ring = 1; ring <= widest && best < 0; ring *= 2)
+        for (int z = std::max(0, at.z() - ring); z <= std::min(buckets_.size.z() - 1, at.z() + ring); ++z)
+            for (int y = std::max(0, at.y() - ring); y <= std::min(buckets_.size.y() - 1, at.y() + ring); ++y)
+                for (int x = std::max(0, at.x() - ring); x <= std::min(buckets_.size.x() - 1, at.x() + ring); ++x)
+                    for (const int g : bucket_[static_cast<std::size_t>(buckets_.node(x, y, z))]) {
+                        if (g >= among) break;
+                        const Strand& guide = guides_[static_cast<std::size_t>(g)];
+                        if (guide.side.curve != side.curve || guide.side.sign != side.sign) continue;
+                        if (guide.root.normal.dot(root.normal) < 0) continue;
+                        const double distance = (guide.root.position - root.position).squaredNorm();
+                        if (distance >= nearest) continue;
+                        nearest = distance;
+                        best = g;
+                    }
+    return best;
+}
+
+void StrandDetail::gather(Strand& strand, const Strand& guide, double strength, double root_share) const {
+    const std::size_t count = strand.points.size(), last = guide.points.size() - 1;
+    const double apart = k_apart * volume_.head_height;
+    Vector3d offset = Vector3d::Zero();
+    for (std::size_t k = 1; k < count; ++k) {
+        const double along = static_cast<double>(k) / static_cast<double>(count - 1);
+        // Beyond the guide's end the offset stays what it was there. What has parted company is left alone.
+        if (k <= last) offset = guide.points[k] - strand.points[k];
+        const double company = 1 / (1 + offset.squaredNorm() / (apart * apart));
+        strand.points[k] += strength * smooth((along - root_share) / (1 - root_share)) * company * offset;
+    }
+}
+
+void StrandDetail::curl(Strand& strand, std::uint64_t index, std::uint64_t clump) const {
+    const double h = volume_.head_height;
+    const double turn = options_.curl_length.value_or(k_curl_length * h) * (0.8 + 0.4 * chance(seed_, clump, in_turn));
+    const double phase = chance(seed_, clump, in_phase) + 0.15 * chance(seed_, index, in_phase);
+    const double radius = options_.curl * k_curl_radius * h *
+                          (0.7 + 0.4 * chance(seed_, clump, in_radius) + 0.3 * chance(seed_, index, in_radius));
+    const double hand = hash_bits(seed_, clump, in_shape) & 1 ? 1 : -1;
+    const std::vector<Vector3d> line = strand.points;
+    Vector3d across = strand.root.normal;
+    for (std::size_t k = 1; k < line.size(); ++k) {
+        const Vector3d tangent = (line[std::min(k + 1, line.size() - 1)] - line[k - 1]).normalized();
+        across -= across.dot(tangent) * tangent; // carried along without twist
+        if (across.norm() < 1e-6) across = tangent.unitOrthogonal();
+        across.normalize();
+        const double along = static_cast<double>(k) * strand.segment;
+        const double angle = 2 * std::numbers::pi * (hand * along / turn + phase);
+        const double r = radius * smooth(along / (k_curl_rise * h));
+        strand.points[k] += r * (std::cos(angle) * across + std::sin(angle) * tangent.cross(across));
+    }
+}
+
+void StrandDetail::roughen(Strand& strand, std::uint64_t index) const {
+    const double h = volume_.head_height;
+    const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
+    const double frizz = options_.frizz * (stray ? 1.6 : 1) * k_frizz_size * h * (0.4 + 1.2 * chance(seed_, index, in_radius));
+    const double stand = stray ? k_flyaway_size * h * (0.3 + chance(seed_, index, in_shape)) : 0;
+    const double start = 16 * chance(seed_, index, in_turn);
+    if (frizz == 0 && stand == 0) return;
+    for (std::size_t k = 1; k < strand.points.size(); ++k) {
+        const double along = static_cast<double>(k) * strand.segment;
+        Vector3d& p = strand.points[k];
+        const double t = start + along / (k_frizz_length * h);
+        p += frizz * smooth(along / (k_frizz_rise * h)) *
+             (0.65 * noise(t / 2.7, seed_, index, in_frizz) + 0.35 * noise(t, seed_, index + 1, in_frizz));
+        if (stand > 0) {
+            Vector3d way = noise(along / (k_flyaway_length * h), seed_, index, in_flyaway);
+            const Vector3d out = head_.gradient(p);
+            way += 0.5 * out;
+            p += stand * smooth(along / (0.6 * h)) * way;
+        }
+    }
+}
+
+void StrandDetail::apply(Strand& strand, std::uint64_t index) const {
+    const double h = volume_.head_height;
+    const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
+    const int guide = guide_of(strand.root, strand.side, static_cast<int>(guides_.size()));
+    if (guide >= 0 && options_.clump > 0 && !stray) {
+        const double own = 0.6 + 0.4 * chance(seed_, index, in_clump);
+        gather(strand, guides_[static_cast<std::size_t>(guide)], options_.clump * own, 0.05);
+    }
+    if (options_.curl > 0) curl(strand, index, guide >= 0 ? static_cast<std::uint64_t>(guide) : index);
+    roughen(strand, index);
+    for (std::size_t k = 1; k < strand.points.size(); ++k) {
+        const double along = static_cast<double>(k) * strand.segment;
+        Vector3d& p = strand.points[k];
+        const bool guarded = along < StrandGrowth::parting_reach * h;
+        if (guarded) p = partings_.kept(p, strand.side);
+        p = StrandGrowth::lifted(head_, p, std::min(k_clearance * h, 0.5 * along));
+        if (guarded) p = partings_.kept(p, strand.side);
+    }
+}
+
+} // namespace lissom

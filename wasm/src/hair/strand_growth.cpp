@@ -1,0 +1,122 @@
+#include "lissom/hair/strand_growth.h"
+
+#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lissom {
+
+using Eigen::Vector3d;
+
+namespace {
+
+enum Purpose : std::uint64_t { in_layer = 10, in_length = 11 };
+
+constexpr double k_least = 0.05;       // magnitude at which a strand ends (Fu 4.6)
+constexpr double k_sure = 0.12;        // of the head height: up to here a strand grows through a faint field
+constexpr double k_rise = 0.18;        // of the head height: over which hair lifts to its height
+constexpr double k_clearance = 0.003;  // of the head height: nearest to the skin beyond the root
+constexpr double k_lift = 0.35;        // steepest rise off the skin, per unit of length
+
+double smooth(double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+}
+
+void demand(bool holds, const char* what) {
+    if (!holds) throw InvalidInput("bad-option", what);
+}
+
+} // namespace
+
+StrandGrowth::StrandGrowth(const HairVolume& volume, const HeadDistance& head, const VectorField& field,
+                           const ScalpRoots& roots, const PartingGuard& partings, GrowthOptions options)
+    : volume_(volume), head_(head), field_(field), roots_(roots), partings_(partings), options_(std::move(options)) {
+    length_ = options_.length.value_or(volume.head_height);
+    height_ = options_.volume.value_or(0.03 * volume.head_height);
+    demand(options_.step >= 0.1 && options_.step <= 2, "The step of a strand is 0.1 to 2 grid steps.");
+    demand(length_ > 0 && std::isfinite(length_), "The length of hair is a number above 0.");
+    demand(height_ >= 0 && std::isfinite(height_), "The volume of hair is a number from 0 on.");
+    demand(options_.length_variation >= 0 && options_.length_variation <= 1, "The variation of length is 0 to 1.");
+    demand(options_.length_map.empty() || options_.length_map.size() == static_cast<std::size_t>(volume.head.vertex_count()),
+           "The painted length needs one number for each vertex of the head.");
+    segment_ = std::max(options_.step * volume.field.step, length_ / (max_points - 1));
+}
+
+double StrandGrowth::length_of(const Root& root, std::uint64_t index) const {
+    double painted = 1;
+    if (!options_.length_map.empty()) {
+        const auto corner = [&](int k) -> double {
+            return options_.length_map[static_cast<std::size_t>(volume_.head.triangles(root.triangle, k))];
+        };
+        painted = (1 - root.b - root.c) * corner(0) + root.b * corner(1) + root.c * corner(2);
+    }
+    const double u = chance(options_.seed, index, in_length);
+    return length_ * std::max(0.0, painted) * (1 - options_.length_variation * u * u);
+}
+
+Vector3d StrandGrowth::lifted(const HeadDistance& head, const Vector3d& p, double clearance) {
+    Vector3d q = p;
+    for (int round = 0; round < 12; ++round) {
+        const HeadDistance::Sample s = head.sample(q);
+        if (s.distance >= clearance) break;
+        const double slope = s.gradient.norm();
+        if (slope < 1e-6) break;
+        q += (clearance - s.distance + 1e-4 * clearance) / std::max(slope, 0.3) * s.gradient / slope;
+    }
+    return q;
+}
+
+Strand StrandGrowth::grow(std::uint64_t index) const {
+    const double h = volume_.head_height;
+    Strand strand{roots_.root(index, options_.seed), {}, segment_, {}};
+    strand.side = partings_.side(strand.root.position);
+    const double length = std::min(length_of(strand.root, index), segment_ * (max_points - 1));
+    const double height = height_ * (0.2 + 0.8 * chance(options_.seed, index, in_layer));
+    const double clearance = k_clearance * h;
+
+    Vector3d p = strand.root.position, before = strand.root.normal;
+    strand.points.push_back(p);
+    const auto direction = [&](const Vector3d& at, bool sure) -> std::optional<Vector3d> {
+        const Vector3d v = field_.at(at);
+        const double magnitude = v.norm();
+        if (magnitude >= k_least) return v / magnitude;
+        return sure ? std::optional(before) : std::nullopt;
+    };
+    for (double walked = 0; walked < length - 1e-9 * length;) {
+        const double l = std::min(segment_, length - walked);
+        const bool sure = walked < k_sure * h;
+        const auto first = direction(p, sure);
+        if (!first) break;
+        const auto second = direction(p + 0.5 * l * *first, sure);
+        if (!second) break;
+        Vector3d v = *second;
+
+        const bool near_root = walked < StrandGrowth::parting_reach * h;
+        const HeadDistance::Sample skin = head_.sample(p);
+        const double share = height * smooth((walked + l) / (k_rise * h));
+        if (skin.distance < share + l) {
+            const Vector3d n = skin.gradient.normalized();
+            const double inward = std::min(0.0, v.dot(n) + std::max(0.0, skin.distance - share) / l);
+            v -= inward * n;
+            if (skin.distance < share) v += std::min(k_lift, (share - skin.distance) / l) * n;
+            v.normalize();
+        }
+        if (near_root) v = partings_.outward(p, v, strand.side);
+
+        Vector3d next = p + l * v;
+        next = lifted(head_, next, std::min(clearance, 0.5 * (walked + l)));
+        if (near_root) next = partings_.kept(next, strand.side);
+        if (!volume_.field.contains(next) || !next.allFinite()) break;
+        before = v;
+        p = next;
+        walked += l;
+        strand.points.push_back(p);
+        if (static_cast<int>(strand.points.size()) == max_points) break;
+    }
+    return strand;
+}
+
+} // namespace lissom
