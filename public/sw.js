@@ -2,6 +2,8 @@
 // everything else is asked of the network first, so a new version is seen as soon as there is a connection.
 
 const CACHE = 'lissom-1';
+/** A server may say that answers vary by origin; built files and pages here do not. */
+const ANY = { ignoreVary: true, ignoreSearch: true };
 const HASHED = /[\w.-]+-[\w-]{8}\.(?:js|css|wasm)/g;
 const FIRST = ['./', './manifest.webmanifest', './icons/lissom.svg', './gallery/index.json'];
 const FIRST_MODEL = ['./gallery/recipes/first.json', './gallery/dinosaur.ply'];
@@ -26,7 +28,7 @@ self.addEventListener('fetch', (event) => {
 async function precache() {
   const cache = await caches.open(CACHE);
   await cache.addAll([...FIRST, ...FIRST_MODEL].map((url) => new Request(url, { cache: 'reload' })));
-  await addNamed(cache, await cache.match('./'));
+  await addNamed(cache, await cache.match('./', ANY));
 }
 
 async function addNamed(cache, page) {
@@ -36,7 +38,7 @@ async function addNamed(cache, page) {
     if (seen.has(name)) continue;
     seen.add(name);
     const url = `./assets/${name}`;
-    let answer = await cache.match(url);
+    let answer = await cache.match(url, ANY);
     if (!answer) {
       answer = await fetch(url);
       if (!answer.ok) continue;
@@ -56,7 +58,7 @@ async function tidy() {
 
 async function cacheFirst(request) {
   const cache = await caches.open(CACHE);
-  const held = await cache.match(request);
+  const held = await cache.match(request, ANY);
   if (held) return held;
   const answer = await fetch(request);
   if (answer.ok) await cache.put(request, answer.clone());
@@ -74,7 +76,7 @@ async function networkFirst(request) {
     }
     return answer;
   } catch (error) {
-    const held = await cache.match(key, { ignoreSearch: true });
+    const held = await cache.match(key, ANY);
     if (held) return held;
     throw error;
   }
