@@ -1,4 +1,4 @@
-// Renders the gallery's pictures with the app itself: public/gallery/thumbnails/*.webp, 256 pixels square.
+// Renders the gallery's pictures with the app itself: public/gallery/thumbnails/*.webp, of the gallery cards' shape.
 // Run by hand after the gallery changed: node scripts/thumbnails.mjs
 
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
@@ -6,9 +6,11 @@ import { chromium } from '@playwright/test';
 import { createServer } from 'vite';
 
 const gallery = new URL('../public/gallery/', import.meta.url);
-const SIZE = 256;
+const SIZE = { width: 512, height: 384 };
 /** Drawn larger and scaled down: smooth edges. */
-const DRAWN = 1024;
+const DRAWN = { width: 1024, height: 768 };
+/** What the page puts around the viewport, so that a model is framed for the picture's shape. */
+const AROUND = { width: 48 + 300, height: 44 + 26 };
 
 const { models, examples } = JSON.parse(readFileSync(new URL('index.json', gallery), 'utf8'));
 mkdirSync(new URL('thumbnails/', gallery), { recursive: true });
@@ -28,7 +30,12 @@ const browser = await chromium.launch({
   args: [...sandbox, '--enable-unsafe-swiftshader', '--use-angle=swiftshader'],
 });
 try {
-  const page = await browser.newPage({ viewport: { width: 1100, height: 900 } });
+  const page = await browser.newPage({
+    viewport: {
+      width: DRAWN.width + AROUND.width,
+      height: DRAWN.height + AROUND.height,
+    },
+  });
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await page.goto(server.resolvedUrls.local[0]);
   await page.waitForFunction(() => '__lissom' in window);
@@ -53,11 +60,15 @@ async function picturesOf({ name, drawn, size }) {
   app.viewport.setMarkers([]);
   app.viewport.setView('home');
   await new Promise((done) => setTimeout(done, 300));
-  const image = await createImageBitmap(await app.viewport.screenshot(drawn, drawn));
-  const canvas = new OffscreenCanvas(size, size);
+  // A card needs less air around a model than a gizmo does.
+  const { position, target, orthographic } = app.viewport.camera;
+  const nearer = position.map((x, i) => target[i] + 0.87 * (x - target[i]));
+  app.viewport.camera = { position: nearer, target, orthographic };
+  const image = await createImageBitmap(await app.viewport.screenshot(drawn.width, drawn.height));
+  const canvas = new OffscreenCanvas(size.width, size.height);
   const context = canvas.getContext('2d');
   context.imageSmoothingQuality = 'high';
-  context.drawImage(image, 0, 0, size, size);
+  context.drawImage(image, 0, 0, size.width, size.height);
   const blob = await canvas.convertToBlob({ type: 'image/webp', quality: 0.85 });
   return btoa(String.fromCharCode(...new Uint8Array(await blob.arrayBuffer())));
 }
