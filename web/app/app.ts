@@ -87,7 +87,12 @@ export function buildApp(world: World): BuiltApp {
     dialogs: world.dialogs,
   });
   const share = new Share(document, messages, world);
-  const stops = [syncFigures(state, evaluator, runner, failed)];
+  const stops = [
+    syncFigures(state, evaluator, runner, failed),
+    document.onCommit(() => {
+      state.hint.value = null;
+    }),
+  ];
 
   let cancelGesture = () => false;
   if (viewport) {

@@ -63,7 +63,6 @@ export class AppDeformHost implements DeformHost {
     const name = step.handles[selected ?? -1]?.name ?? '';
     const recipe = replaceStep(this.document.recipe, step);
     this.document.commit(t(`history.${label}`, { name }), recipe, { step: step.id, handle: selected });
-    if (label === 'move-handle' || label === 'rotate-handle') this.state.hint.value = null;
   }
 
   cancel(): void {

@@ -6,6 +6,9 @@ import type { State, Toast } from './state';
 
 /** More at once than this and the oldest goes. */
 const MOST = 4;
+/** Good news goes by itself, in milliseconds; with a button it stays longer. What went wrong stays. */
+const SHOWN = 6000;
+const SHOWN_WITH_ACTION = 20_000;
 
 export class Messages implements MessageService {
   #nextId = 1;
@@ -19,6 +22,8 @@ export class Messages implements MessageService {
     const toast = { id: this.#nextId++, kind, text, ...(action && { action }) };
     const others = this.#toasts.value.filter((each) => each.text !== text);
     this.#toasts.value = [...others, toast].slice(-MOST);
+    if (kind === 'info' || kind === 'good')
+      setTimeout(() => this.dismiss(toast.id), action ? SHOWN_WITH_ACTION : SHOWN);
   }
 
   dismiss(id: number): void {

@@ -23,6 +23,8 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
   readonly stop: () => void;
 } {
   let shown: Evaluation | null = null;
+  // A drag moves handles without changing what they hold: their tints need no new upload.
+  let drawn: { on: object | null; regions: readonly RegionPaint[] } = { on: null, regions: [] };
   const gizmo = new GizmoDrag(host, () => state.gizmo.peek());
   const vertexLists = new WeakMap<object, Uint32Array>();
 
@@ -47,6 +49,7 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
       const evaluation = evaluator.result.value;
       const step = state.step.value;
       const { handle: selected } = state.selection.value;
+      if (!evaluation) drawn = { on: null, regions: [] };
       if (!evaluation || !step || evaluation.step.id !== step.id) return;
       const count = evaluation.input.model.positions.length / 3;
       const stroke = host.paint.value;
@@ -66,7 +69,10 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
       });
       if (painted && !replaced)
         regions.push({ id: 'stroke', kind: 'handle', vertices: painted, visible: true, selected: true });
-      viewport.setRegions(regions);
+      if (drawn.on !== evaluation.input.opened || !sameRegions(drawn.regions, regions)) {
+        drawn = { on: evaluation.input.opened, regions };
+        viewport.setRegions(regions);
+      }
       viewport.setMarkers(
         step.handles.flatMap((handle, i) =>
           handle.kind === 'point'
@@ -143,3 +149,15 @@ function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | nul
   viewport.setPositions(next.positions);
   if (next.settled) viewport.settlePositions();
 }
+
+const sameRegions = (a: readonly RegionPaint[], b: readonly RegionPaint[]): boolean =>
+  a.length === b.length &&
+  a.every((region, i) => {
+    const other = b[i]!;
+    return (
+      region.id === other.id &&
+      region.vertices === other.vertices &&
+      region.visible === other.visible &&
+      region.selected === other.selected
+    );
+  });
