@@ -118,15 +118,16 @@ void HairSession::set_style(const HairStyle& given) {
 
     const Clock updating;
     const std::vector<FieldConstraint> wanted = style_constraints(style, *head.distance, grid);
-    auto styled = std::make_shared<StyledField>(
-        StyledField{{grid, Points::Zero(grid.count(), 3)},
-                    PartingGuard(style.partings, *head.distance, grid.step,
-                                 std::max(1.5 * grid.step, StrandGrowth::parting_reach * head.volume.head_height)),
-                    {}, wanted.empty()});
+    std::vector<TailSection> ties; // C1 of each ponytail; radius 0: it has none
     for (const Ponytail& tail : style.ponytails) {
         const std::vector<TailSection> sections = tail_sections(tail, grid.step);
-        styled->tails.push_back(sections.empty() ? TailSection{Vector3d::Zero(), Vector3d::Zero(), 0} : sections.front());
+        ties.push_back(sections.empty() ? TailSection{Vector3d::Zero(), Vector3d::UnitY(), 0} : sections.front());
     }
+    const double guarded = std::max(1.5 * grid.step, StrandGrowth::parting_reach * head.volume.head_height);
+    auto styled = std::make_shared<StyledField>(StyledField{{grid, Points::Zero(grid.count(), 3)},
+                                                            PartingGuard(style.partings, *head.distance, grid.step, guarded),
+                                                            TailTie(std::move(ties)),
+                                                            wanted.empty()});
     if (wanted.empty()) {
         warnings.push_back({"style-empty", 1, {}, false});
         s.constraint_count = 0;
@@ -179,9 +180,9 @@ HairSession::Growth HairSession::grow(int from, int count, const GrowthOptions& 
     out.end_ = none ? from : from + count;
     out.guides_wanted_ = none ? 0 : StrandDetail::guides;
     if (none) // what is wrong with the options is said whether or not anything grows
-        StrandDetail(out.head_->volume, *out.head_->distance, out.style_->partings, detail, growth.seed, {});
-    out.figures_.reached.assign(out.style_->tails.size(), 0);
-    out.figures_.gathered.assign(out.style_->tails.size(), 0);
+        StrandDetail(out.head_->volume, *out.head_->distance, out.style_->partings, out.style_->tails, detail, growth.seed, {});
+    out.figures_.reached.assign(out.style_->tails.sections().size(), 0);
+    out.figures_.gathered.assign(out.style_->tails.sections().size(), 0);
     return out;
 }
 
@@ -194,7 +195,7 @@ bool HairSession::Growth::step() {
         return true;
     }
     if (!detail_)
-        detail_ = std::make_unique<StrandDetail>(head_->volume, *head_->distance, style_->partings, detail_options_,
+        detail_ = std::make_unique<StrandDetail>(head_->volume, *head_->distance, style_->partings, style_->tails, detail_options_,
                                                  growth_->options().seed, std::move(guides_)),
         guides_wanted_ = 0;
     if (strands_.root_triangle.empty()) {
@@ -230,8 +231,8 @@ void HairSession::Growth::add(const Strand& strand) {
     strands_.root_weights.push_back(static_cast<float>(strand.root.b));
     strands_.root_weights.push_back(static_cast<float>(strand.root.c));
     if (strand.points.size() < 4) ++figures_.short_strands;
-    for (std::size_t t = 0; t < style_->tails.size(); ++t) {
-        const TailPassage passage = passage_of(strand.points, style_->tails[t]);
+    for (std::size_t t = 0; t < style_->tails.sections().size(); ++t) {
+        const TailPassage passage = passage_of(strand.points, style_->tails.sections()[t]);
         if (passage.reaches) ++figures_.reached[t];
         if (passage.reaches && passage.passes) ++figures_.gathered[t];
     }

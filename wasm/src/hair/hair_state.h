@@ -23,7 +23,7 @@ struct HeadShape {
 struct StyledField {
     VectorField field;
     PartingGuard partings;
-    std::vector<TailSection> tails; // C1 of each ponytail; radius 0: it has none
+    TailTie tails;
     bool empty;
 };
 
@@ -31,12 +31,5 @@ struct StyledField {
 
 /// @throws InvalidInput `non-finite-stroke`, `bad-option`
 [[nodiscard]] std::vector<Finding> check_style(const HairStyle& style, const HeadShape& head);
-
-/// How a strand meets the first section of a ponytail.
-struct TailPassage {
-    bool reaches = false; // comes within three radii of its centre
-    bool passes = false;  // crosses it along the axis, within the radius where the pull begins
-};
-[[nodiscard]] TailPassage passage_of(const std::vector<Eigen::Vector3d>& points, const TailSection& section);
 
 } // namespace lissom

@@ -74,23 +74,4 @@ std::vector<Finding> check_style(const HairStyle& style, const HeadShape& head) 
     return found.list;
 }
 
-TailPassage passage_of(const std::vector<Vector3d>& points, const TailSection& section) {
-    TailPassage out;
-    if (!(section.radius > 0)) return out;
-    const double reach = 3 * section.radius, wide = 1.3 * section.radius; // 1.3: R1, where the pull begins (Fu 4.5)
-    double before = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const Vector3d q = points[k] - section.centre;
-        out.reaches = out.reaches || q.squaredNorm() < reach * reach;
-        const double along = q.dot(section.axis);
-        if (k > 0 && before < 0 && along >= 0) {
-            const double t = before / (before - along);
-            const Vector3d at = points[k - 1] + t * (points[k] - points[k - 1]) - section.centre;
-            out.passes = out.passes || at.squaredNorm() < wide * wide;
-        }
-        before = along;
-    }
-    return out;
-}
-
 } // namespace lissom

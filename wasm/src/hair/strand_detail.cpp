@@ -43,8 +43,10 @@ Vector3d noise(double t, std::uint64_t seed, std::uint64_t strand, std::uint64_t
 } // namespace
 
 StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings,
-                           const DetailOptions& options, std::uint64_t seed, std::vector<Strand> guide_strands)
-    : volume_(volume), head_(head), partings_(partings), options_(options), seed_(seed), guides_(std::move(guide_strands)) {
+                           const TailTie& ties, const DetailOptions& options, std::uint64_t seed,
+                           std::vector<Strand> guide_strands)
+    : volume_(volume), head_(head), partings_(partings), ties_(ties), options_(options), seed_(seed),
+      guides_(std::move(guide_strands)) {
     for (const double share : {options.clump, options.curl, options.frizz, options.flyaways})
         if (!(share >= 0 && share <= 1)) throw InvalidInput("bad-option", "Clump, curl, frizz and flyaways go from 0 to 1.");
     if (options.curl_length && !(*options.curl_length > 0))
@@ -106,7 +108,8 @@ void StrandDetail::gather(Strand& strand, const Strand& guide, double strength, 
     }
 }
 
-void StrandDetail::curl(Strand& strand, std::uint64_t index, std::uint64_t clump) const {
+void StrandDetail::curl(Strand& strand, std::uint64_t index, std::uint64_t clump,
+                        const std::vector<double>& looseness) const {
     const double h = volume_.head_height;
     const double turn = options_.curl_length.value_or(k_curl_length * h) * (0.8 + 0.4 * chance(seed_, clump, in_turn));
     const double phase = chance(seed_, clump, in_phase) + 0.15 * chance(seed_, index, in_phase);
@@ -122,12 +125,12 @@ void StrandDetail::curl(Strand& strand, std::uint64_t index, std::uint64_t clump
         across.normalize();
         const double along = static_cast<double>(k) * strand.segment;
         const double angle = 2 * std::numbers::pi * (hand * along / turn + phase);
-        const double r = radius * smooth(along / (k_curl_rise * h));
+        const double r = looseness[k] * radius * smooth(along / (k_curl_rise * h));
         strand.points[k] += r * (std::cos(angle) * across + std::sin(angle) * tangent.cross(across));
     }
 }
 
-void StrandDetail::roughen(Strand& strand, std::uint64_t index) const {
+void StrandDetail::roughen(Strand& strand, std::uint64_t index, const std::vector<double>& looseness) const {
     const double h = volume_.head_height;
     const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
     const double frizz = options_.frizz * (stray ? 1.6 : 1) * k_frizz_size * h * (0.4 + 1.2 * chance(seed_, index, in_radius));
@@ -138,13 +141,13 @@ void StrandDetail::roughen(Strand& strand, std::uint64_t index) const {
         const double along = static_cast<double>(k) * strand.segment;
         Vector3d& p = strand.points[k];
         const double t = start + along / (k_frizz_length * h);
-        p += frizz * smooth(along / (k_frizz_rise * h)) *
+        p += looseness[k] * frizz * smooth(along / (k_frizz_rise * h)) *
              (0.65 * noise(t / 2.7, seed_, index, in_frizz) + 0.35 * noise(t, seed_, index + 1, in_frizz));
         if (stand > 0) {
             Vector3d way = noise(along / (k_flyaway_length * h), seed_, index, in_flyaway);
             const Vector3d out = head_.gradient(p);
             way += 0.5 * out;
-            p += stand * smooth(along / (0.6 * h)) * way;
+            p += looseness[k] * stand * smooth(along / (0.6 * h)) * way;
         }
     }
 }
@@ -152,16 +155,18 @@ void StrandDetail::roughen(Strand& strand, std::uint64_t index) const {
 void StrandDetail::apply(Strand& strand, std::uint64_t index) const {
     const double h = volume_.head_height;
     const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
+    const std::vector<double> looseness = ties_.looseness(strand.points, strand.segment);
     const int guide = guide_of(strand.root, strand.side, static_cast<int>(guides_.size()));
     if (guide >= 0 && options_.clump > 0 && !stray) {
         const double own = 0.6 + 0.4 * chance(seed_, index, in_clump);
         gather(strand, guides_[static_cast<std::size_t>(guide)], options_.clump * own, 0.05);
     }
-    if (options_.curl > 0) curl(strand, index, guide >= 0 ? static_cast<std::uint64_t>(guide) : index);
-    roughen(strand, index);
+    if (options_.curl > 0) curl(strand, index, guide >= 0 ? static_cast<std::uint64_t>(guide) : index, looseness);
+    roughen(strand, index, looseness);
     for (std::size_t k = 1; k < strand.points.size(); ++k) {
         const double along = static_cast<double>(k) * strand.segment;
         Vector3d& p = strand.points[k];
+        p = ties_.drawn(p);
         const bool guarded = along < StrandGrowth::parting_reach * h;
         if (guarded) p = partings_.kept(p, strand.side);
         p = StrandGrowth::lifted(head_, p, std::min(k_clearance * h, 0.5 * along));

@@ -20,6 +20,8 @@ constexpr double k_rise = 0.18;        // of the head height: over which hair li
 constexpr double k_clearance = 0.003;  // of the head height: nearest to the skin beyond the root
 constexpr double k_lift = 0.35;        // steepest rise off the skin, per unit of length
 
+constexpr double k_ahead = 2.5, k_over = 0.7; // how many segments ahead a strand looks, and its steepest rise then
+
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
@@ -103,6 +105,9 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
             v -= inward * n;
             if (skin.distance < share) v += std::min(k_lift, (share - skin.distance) / l) * n;
             v.normalize();
+            // What stands out ahead (an ear) is passed over, not round: hair would part there.
+            const double ahead = head_.at(p + k_ahead * l * v);
+            if (ahead < 0.5 * share) v = (v + std::min(k_over, (0.5 * share - ahead) / (k_ahead * l)) * n).normalized();
         }
         if (near_root) v = partings_.outward(p, v, strand.side);
 

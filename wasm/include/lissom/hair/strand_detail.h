@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lissom/hair/strand_growth.h"
+#include "lissom/hair/tail_tie.h"
 
 namespace lissom {
 
@@ -15,8 +16,8 @@ struct DetailOptions {
 
 /// Adds detail to grown strands, each from its own number: the same strand whatever is grown beside it.
 ///
-/// In this order: clumps of two sizes, curls in a parallel-transported frame, frizz, flyaways, and at last no point
-/// in the head and none across its parting.
+/// In this order: clumps of two sizes, curls in a parallel-transported frame, frizz, flyaways, hair drawn
+/// together where a ponytail is tied, and at last no point in the head and none across its parting.
 class StrandDetail {
 public:
     static constexpr int guides = 3000;       ///< strands that the small clumps gather round: the first of all
@@ -24,7 +25,7 @@ public:
 
     /// @param guide_strands  the first `guides` strands as grown
     /// @throws InvalidInput `bad-option`
-    StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings,
+    StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings, const TailTie& ties,
                  const DetailOptions& options, std::uint64_t seed, std::vector<Strand> guide_strands);
 
     void apply(Strand& strand, std::uint64_t index) const;
@@ -32,12 +33,13 @@ public:
 private:
     [[nodiscard]] int guide_of(const Root& root, PartingGuard::Side side, int among) const;
     void gather(Strand& strand, const Strand& guide, double strength, double root_share) const;
-    void curl(Strand& strand, std::uint64_t index, std::uint64_t clump) const;
-    void roughen(Strand& strand, std::uint64_t index) const;
+    void curl(Strand& strand, std::uint64_t index, std::uint64_t clump, const std::vector<double>& looseness) const;
+    void roughen(Strand& strand, std::uint64_t index, const std::vector<double>& looseness) const;
 
     const HairVolume& volume_;
     const HeadDistance& head_;
     const PartingGuard& partings_;
+    const TailTie& ties_;
     DetailOptions options_;
     std::uint64_t seed_;
     std::vector<Strand> guides_;
