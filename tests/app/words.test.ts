@@ -49,7 +49,7 @@ test('every finding the kernel and the readers know has a message of its own', (
   const wasm = ['src/mesh', 'src/deform'].flatMap((folder) =>
     readdirSync(path.join(root, '../wasm', folder)).map((name) => path.join(root, '../wasm', folder, name)),
   );
-  const io = readdirSync(path.join(root, 'io')).map((name) => path.join(root, 'io', name));
+  const io = filesUnder(path.join(root, 'io'));
   const codes = [...wasm, ...io].flatMap((file) =>
     [...readFileSync(file, 'utf8').matchAll(/\badd\(\s*["']([a-z]+(?:-[a-z]+)+)["']/g)].map(
       ([, code]) => code!,

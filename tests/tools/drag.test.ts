@@ -150,3 +150,16 @@ test('the gizmo scales along the axes the handle has been turned to', () => {
   // The handle's own x axis points along y now: (1.5, 0.5) was half a unit along it, and is a whole one.
   expect(transform(scaled.matrix, [1, 0.5, 0])).toEqual([0.5, 1.5, 3]);
 });
+
+test('a gizmo that is put back where it was taken edits nothing', () => {
+  const table = new Table({ handles: [corner] });
+  table.selected = 0;
+  const gizmo = new GizmoDrag(table, () => 'translate');
+  const frame = gizmoFrame(corner, table.rest);
+  gizmo.onStart();
+  gizmo.onChange(multiply(translation([5, 0, 0]), frame));
+  gizmo.onChange(frame.map((x) => x * (1 + 1e-15)));
+  gizmo.onEnd();
+  expect(table.commits).toEqual([]);
+  expect(table.previewed).toBeNull();
+});

@@ -103,7 +103,7 @@ export function buildApp(world: World): BuiltApp {
     cancelGesture = () => {
       const active = tools.busy || state.previewing.peek();
       tools.cancel();
-      view.gizmo.cancel();
+      view.gizmo.onCancel();
       if (state.previewing.peek()) document.cancel();
       return active;
     };

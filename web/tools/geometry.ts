@@ -9,6 +9,16 @@ export const IDENTITY: Mat4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 
+export const scaled = (a: Vec3, by: number): Vec3 => [a[0] * by, a[1] * by, a[2] * by];
+/** From `a` towards `b`: `a` at 0, `b` at 1. */
+export const mix = (a: Vec3, b: Vec3, t: number): Vec3 => [
+  a[0] + t * (b[0] - a[0]),
+  a[1] + t * (b[1] - a[1]),
+  a[2] + t * (b[2] - a[2]),
+];
+export const norm = (a: Vec3): number => Math.hypot(a[0], a[1], a[2]);
+export const gap = (a: Vec3, b: Vec3): number => norm(subtract(a, b));
+
 export const translation = ([x, y, z]: Vec3): Mat4 => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
 
 /** `a` after `b`. */
@@ -152,12 +162,15 @@ function affine(m: number[]): Mat4 {
   return out;
 }
 
-function unit(v: Vec3, otherwise: Vec3): Vec3 {
-  const length = Math.hypot(...v);
+/** The direction of `v`, or `otherwise` where it has none. */
+export function unit(v: Vec3, otherwise: Vec3 = [0, 0, 0]): Vec3 {
+  const length = norm(v);
   return length > 0 ? [v[0] / length, v[1] / length, v[2] / length] : otherwise;
 }
 
-const anyNormal = (v: Vec3): Vec3 => unit(cross(v, Math.abs(v[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]), [0, 1, 0]);
+/** Some direction across `v`. */
+export const anyNormal = (v: Vec3): Vec3 =>
+  unit(cross(v, Math.abs(v[0]) < 0.9 ? [1, 0, 0] : [0, 1, 0]), [0, 1, 0]);
 
 /** Quarter turns come out exact, so that 90 degrees typed in leave no crumbs in the recipe. */
 const sine = (a: number): number => snap(Math.sin(a));

@@ -1,7 +1,17 @@
 import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle } from '../../recipe/recipe';
 import type { GizmoEvents, GizmoMode } from '../../view/types';
-import { centroid, invert, type Mat4, multiply, rotationOf, transform, translation } from '../geometry';
+import {
+  centroid,
+  IDENTITY,
+  invert,
+  type Mat4,
+  multiply,
+  position,
+  rotationOf,
+  transform,
+  translation,
+} from '../geometry';
 import { moveHandle, withHandle } from './edits';
 import type { DeformEdit, DeformHost, DeformScene, EditLabel } from './host';
 
@@ -42,7 +52,13 @@ export class GizmoDrag implements GizmoEvents {
     if (!this.#grip) return;
     const { scene, index, undo } = this.#grip;
     const handle = scene.step.handles[index] as DeformHandle;
-    const step = withHandle(scene.step, index, moveHandle(handle, multiply(matrix, undo)));
+    const delta = multiply(matrix, undo);
+    if (isNothing(delta, matrix)) {
+      this.#latest = null;
+      this.host.cancel();
+      return;
+    }
+    const step = withHandle(scene.step, index, moveHandle(handle, delta));
     this.#latest = { step, selected: index };
     this.host.preview(this.#latest);
   };
@@ -55,10 +71,16 @@ export class GizmoDrag implements GizmoEvents {
   };
 
   /** Escape while the gizmo is held. */
-  cancel(): void {
+  onCancel = (): void => {
     if (!this.#grip) return;
     this.#grip = null;
     this.#latest = null;
     this.host.cancel();
-  }
+  };
+}
+
+/** Whether the gizmo is back where it was taken, as after Escape: no edit, whatever rounding left. */
+function isNothing(delta: Mat4, matrix: Mat4): boolean {
+  const size = Math.max(1e-30, ...position(matrix).map(Math.abs));
+  return delta.every((x, i) => Math.abs(x - IDENTITY[i]!) <= 1e-9 * (i < 12 ? 1 : size));
 }
