@@ -69,6 +69,17 @@ Breakdown factor_tile(double* tile) {
     return {};
 }
 
+/// Calls f with the number of columns of the tile at `column`, at most 4, as a constant.
+template <class F>
+auto with_tile_width(int column, int end, const F& f) {
+    switch (std::min(4, end - column)) {
+    case 1: return f.template operator()<1>();
+    case 2: return f.template operator()<2>();
+    case 3: return f.template operator()<3>();
+    default: return f.template operator()<4>();
+    }
+}
+
 /// Finishes W columns from `column` on, given the columns [begin, column) of the same block.
 template <int W>
 Breakdown factor_tile_column(const Front& front, int begin, int column) {
@@ -93,18 +104,33 @@ Breakdown factor_tile_column(const Front& front, int begin, int column) {
     return {};
 }
 
-/// Subtracts what the columns [begin, end) of the panel contribute to W later columns of it.
+/// Subtracts what the columns [begin, end) of the panel contribute to W later columns of it, in the strips
+/// [from, to), counted from the top of the panel.
 template <int W>
-void update_tile_column(const Front& front, int begin, int end, int column) {
+void update_tile_column(const Front& front, int begin, int end, int column, int from, int to) {
     const int width = front.shape.width;
+    const int own_strips = strip_count(width);
     const double* const own = front.panel + triangle_strip(column / 4) + 4 * begin;
-    for (int q = column / 4; q < strip_count(width); ++q) {
+    for (int q = std::max(from, column / 4); q < std::min(to, own_strips); ++q) {
         double* const strip = front.panel + triangle_strip(q);
         subtract_product<W>(strip + 4 * column, strip + 4 * begin, own, end - begin);
     }
-    double* strip = front.panel + front.shape.below(0);
-    for (int q = 0; q < strip_count(front.shape.height); ++q, strip += 4 * width)
+    for (int q = std::max(from - own_strips, 0); q < to - own_strips; ++q) {
+        double* const strip = front.panel + front.shape.below(q);
         subtract_product<W>(strip + 4 * column, strip + 4 * begin, own, end - begin);
+    }
+}
+
+void update_panel(const Front& front, int begin, int end) {
+    const int width = front.shape.width;
+    const int strips = strip_count(width) + strip_count(front.shape.height);
+    for (int from = end / 4; from < strips; from += k_strips_at_once) {
+        const int to = std::min(from + k_strips_at_once, strips);
+        for (int column = end; column < std::min(width, 4 * to); column += 4)
+            with_tile_width(column, width, [&]<int W>() {
+                update_tile_column<W>(front, begin, end, column, from, to);
+            });
+    }
 }
 
 /// Subtracts what the columns [begin, end) of the panel contribute to the update matrix.
@@ -118,17 +144,6 @@ void update_triangle(const Front& front, int begin, int end) {
             for (int q = std::max(p, from); q < to; ++q)
                 subtract_product<4>(front.update + triangle_strip(q) + 16 * p, below + stride * q,
                                     below + stride * p, end - begin);
-    }
-}
-
-/// Calls f with the number of columns of the tile at `column`, at most 4, as a constant.
-template <class F>
-auto with_tile_width(int column, int end, const F& f) {
-    switch (std::min(4, end - column)) {
-    case 1: return f.template operator()<1>();
-    case 2: return f.template operator()<2>();
-    case 3: return f.template operator()<3>();
-    default: return f.template operator()<4>();
     }
 }
 
@@ -161,8 +176,7 @@ Breakdown factor_block(const Front& front, int begin) {
         if (breakdown.column >= 0)
             return breakdown;
     }
-    for (int column = end; column < width; column += 4)
-        with_tile_width(column, width, [&]<int W>() { update_tile_column<W>(front, begin, end, column); });
+    update_panel(front, begin, end);
     update_triangle(front, begin, end);
     return {};
 }

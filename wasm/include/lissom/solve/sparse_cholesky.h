@@ -3,11 +3,20 @@
 #include "lissom/mesh/types.h"
 
 #include <memory>
+#include <vector>
 
 namespace lissom {
 
 /// n×k right-hand sides and solutions, row-major so that one sweep over the factor serves all of them.
 using Columns = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// A lower triangular matrix by columns, each starting with its diagonal, rows ascending.
+struct LowerTriangle {
+    std::vector<int> order;           ///< order[k]: which of A's columns was eliminated k-th
+    std::vector<std::size_t> offsets; ///< n+1
+    std::vector<int> rows;            ///< in elimination order
+    std::vector<double> values;
+};
 
 /// Supernodal Cholesky factorization A = P L Lᵀ Pᵀ of a sparse symmetric positive definite matrix, on dense
 /// kernels. Three verbs, apart: analyze (pattern), factorize (values; steppable), solve (many columns).
@@ -43,6 +52,10 @@ public:
 
     /// Solves A X = B in place for all columns of B at once. n×k, k ≥ 1. Requires a finished factorization.
     void solve(Eigen::Ref<Columns> B) const;
+
+    /// L of A = P L Lᵀ Pᵀ, copied out with the zeros that amalgamation stored: for whoever changes it entry by
+    /// entry. Requires a finished factorization. Memory: 12 bytes an entry.
+    [[nodiscard]] LowerTriangle lower_triangle() const;
 
     [[nodiscard]] int size() const;
     [[nodiscard]] double factor_entries() const; ///< numbers stored in the panels, zeros included
