@@ -1,0 +1,192 @@
+// Times a deformation session from mesh to drag, one line of JSON per size, beside the same two matrices through
+// Eigen::SimplicialLDLT. Built like the kernel, natively and for WebAssembly (then run by node).
+//
+//   deform_bench [--free 10000,50000,170000] [--no-eigen-above 100000] [--repeat 5]
+
+#include "lissom/deform/deform_session.h"
+#include "lissom/deform/held_region.h"
+#include "lissom/deform/implicit_system.h"
+#include "lissom/deform/reconstruction.h"
+#include "lissom/mesh/operators.h"
+
+#include <Eigen/SparseCholesky>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace {
+
+using Eigen::Affine3d;
+using lissom::DeformHandle;
+using lissom::DeformResult;
+using lissom::DeformSession;
+using lissom::Points;
+using lissom::SparseMatrix;
+using lissom::WorkingMesh;
+
+/// A closed bumpy egg of about `vertices` points: the six sides of a cube, each a grid, blown up. The sides
+/// repeat the points on their rims, which welding joins.
+lissom::PolygonMesh bumpy_egg(int vertices) {
+    const int m = std::max(2, static_cast<int>(std::lround(std::sqrt(vertices / 6.0))));
+    std::vector<Eigen::Vector3d> points;
+    lissom::PolygonMesh mesh;
+    mesh.offsets.push_back(0);
+    for (int axis = 0; axis < 3; ++axis)
+        for (const int side : {0, m}) {
+            const int first = static_cast<int>(points.size());
+            for (int u = 0; u <= m; ++u)
+                for (int v = 0; v <= m; ++v) {
+                    std::array<int, 3> lattice;
+                    lattice[axis] = side;
+                    lattice[(axis + 1) % 3] = u;
+                    lattice[(axis + 2) % 3] = v;
+                    Eigen::Vector3d x;
+                    for (int a = 0; a < 3; ++a) x[a] = std::tan(0.25 * M_PI * (2.0 * lattice[a] / m - 1));
+                    x.normalize();
+                    x *= 1 + 0.1 * std::sin(5 * x[0]) * std::cos(7 * x[1] + 3 * x[2]);
+                    x[1] *= 2;
+                    points.push_back(x);
+                }
+            const auto triangle = [&](int a, int b, int c) {
+                for (const int v : {a, side ? b : c, side ? c : b}) mesh.corners.push_back(first + v);
+                mesh.offsets.push_back(static_cast<int>(mesh.corners.size()));
+            };
+            for (int u = 0; u < m; ++u)
+                for (int v = 0; v < m; ++v) {
+                    const int at = u * (m + 1) + v;
+                    triangle(at, at + m + 1, at + m + 2);
+                    triangle(at, at + m + 2, at + 1);
+                }
+        }
+    mesh.points.resize(static_cast<int>(points.size()), 3);
+    for (std::size_t i = 0; i < points.size(); ++i) mesh.points.row(static_cast<int>(i)) = points[i];
+    return mesh;
+}
+
+/// The two ends along y, a twentieth of its length each.
+std::vector<DeformHandle> two_ends(const Points& points) {
+    const double low = points.col(1).minCoeff(), high = points.col(1).maxCoeff();
+    std::vector<DeformHandle> ends(2);
+    for (int v = 0; v < points.rows(); ++v) {
+        if (points(v, 1) < low + 0.05 * (high - low)) ends[0].vertices.push_back(v);
+        if (points(v, 1) > high - 0.05 * (high - low)) ends[1].vertices.push_back(v);
+    }
+    return ends;
+}
+
+class Clock {
+public:
+    double lap() {
+        const auto now = std::chrono::steady_clock::now();
+        const double seconds = std::chrono::duration<double>(now - last_).count();
+        last_ = now;
+        return seconds;
+    }
+
+private:
+    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+struct EigenTimes {
+    double factor = 0, solve = INFINITY;
+};
+
+EigenTimes through_eigen(const SparseMatrix& A, int repeat) {
+    Eigen::MatrixXd B(A.rows(), 3), X;
+    for (int i = 0; i < B.rows(); ++i) B.row(i) << std::sin(i), std::cos(2.0 * i), std::sin(3.0 * i + 1);
+    EigenTimes times;
+    Clock clock;
+    const Eigen::SimplicialLDLT<SparseMatrix> ldlt(A); // reads the lower triangle
+    times.factor = clock.lap();
+    for (int r = 0; r < repeat; ++r) {
+        clock.lap();
+        X = ldlt.solve(B);
+        times.solve = std::min(times.solve, clock.lap());
+    }
+    return times;
+}
+
+/// One line of JSON.
+std::string measure(int free, bool with_eigen, int repeat) {
+    char line[1000];
+    const lissom::PolygonMesh mesh = bumpy_egg(static_cast<int>(free / 0.95));
+    const WorkingMesh working = lissom::make_working_mesh(mesh);
+    std::vector<int> roi(static_cast<std::size_t>(mesh.vertex_count()));
+    std::iota(roi.begin(), roi.end(), 0);
+    const auto ends = two_ends(mesh.points);
+    const std::vector<Affine3d> targets{Affine3d::Identity(),
+                                        Affine3d(Eigen::Translation3d(0.3, -0.3, 0.1) * Eigen::AngleAxisd(1, Eigen::Vector3d(0, 0.6, 0.8)))};
+    DeformSession session(working, roi, ends);
+    while (session.step()) {
+    }
+    double step = INFINITY;
+    DeformResult best;
+    for (int r = 0; r < repeat; ++r) {
+        Clock clock;
+        DeformResult result = session.deform(targets);
+        if (const double seconds = clock.lap(); seconds < step) {
+            step = seconds;
+            best = std::move(result);
+        }
+    }
+    int used = std::snprintf(line, sizeof line, "{\"vertices\":%d,\"free\":%d,\"assemble_s\":%.3f,\"factor_s\":%.3f,\"drag_ms\":%.1f,\"solve_ms\":%.1f,"
+                "\"rotate_ms\":%.1f,\"reconstruct_ms\":%.1f,\"memory_mb\":%.0f",
+                working.mesh.vertex_count(), session.free_vertices(), session.assemble_seconds(), session.factor_seconds(),
+                1e3 * step, 1e3 * best.solve_seconds, 1e3 * best.rotate_seconds, 1e3 * best.reconstruct_seconds,
+                1e-6 * session.memory_bytes());
+    if (with_eigen) {
+        std::vector<lissom::Finding> warnings;
+        const lissom::HeldRegion region = lissom::hold_region(working, lissom::assign_roles(working, roi, ends), 2, warnings);
+        const SparseMatrix L = lissom::cotangent_laplacian(region.mesh);
+        const Eigen::VectorXd areas = lissom::vertex_areas(region.mesh);
+        const EigenTimes first = through_eigen(lissom::implicit_system(region, L, areas, 1).equations.A, repeat);
+        const EigenTimes second = through_eigen(lissom::reconstruction(region, L, areas).equations.A, repeat);
+        const double factor = first.factor + second.factor, solve = first.solve + second.solve;
+        used += std::snprintf(line + used, sizeof line - used, ",\"eigen_factor_s\":%.3f,\"eigen_solve_ms\":%.1f,\"factor_ratio\":%.1f,\"solve_ratio\":%.1f,"
+                    "\"drag_to_eigen_solve\":%.2f",
+                    factor, 1e3 * solve, factor / session.factor_seconds(), solve / best.solve_seconds, step / solve);
+    }
+    return std::string(line, used) + "}";
+}
+
+/// Engines compile WebAssembly twice, well the second time and only after some use: both sides have it.
+void warm_up() {
+    for (int round = 0; round < 20; ++round) (void)measure(1500, true, 1);
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    std::string sizes = "10000,50000,170000";
+    int eigen_limit = 100000, repeat = 5;
+    for (int a = 1; a + 1 < argc; a += 2) {
+        if (!std::strcmp(argv[a], "--free"))
+            sizes = argv[a + 1];
+        else if (!std::strcmp(argv[a], "--no-eigen-above"))
+            eigen_limit = std::atoi(argv[a + 1]);
+        else if (!std::strcmp(argv[a], "--repeat"))
+            repeat = std::atoi(argv[a + 1]);
+        else {
+            std::fprintf(stderr, "deform_bench: unknown option %s\n", argv[a]);
+            return 1;
+        }
+    }
+    warm_up();
+    for (const char* at = sizes.c_str(); *at;) {
+        char* end = nullptr;
+        const int free = static_cast<int>(std::strtol(at, &end, 10));
+        if (end == at) break;
+        std::printf("%s\n", measure(free, free <= eigen_limit, repeat).c_str());
+        std::fflush(stdout);
+        at = *end == ',' ? end + 1 : end;
+    }
+    return 0;
+}
