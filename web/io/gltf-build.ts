@@ -57,7 +57,7 @@ export function buildGltf(model: Model): { json: GltfJson; binary: Uint8Array } 
   return { json, binary: binary.out.finish() };
 }
 
-class BufferBuilder {
+export class BufferBuilder {
   readonly out: ByteWriter;
   readonly accessors: GltfAccessor[] = [];
   readonly views: GltfBufferView[] = [];
@@ -212,7 +212,7 @@ function materialIndex(materials: { name: string }[], name: string): number {
 }
 
 /** The middle of a model that lies further from the origin than four times its size, otherwise the origin. */
-function farOrigin(positions: Float64Array): number[] {
+export function farOrigin(positions: Float64Array): number[] {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; i++) {
