@@ -3,7 +3,7 @@ import { Background } from './background';
 import { Grid } from './grid';
 import { GroundShadow } from './ground-shadow';
 import type { Palette } from './palette';
-import { KEY_SLANT, Studio } from './studio';
+import { ENVIRONMENT, KEY_SLANT, Studio } from './studio';
 import type { ViewSpace } from './view-space';
 
 /** Everything around the model: backdrop, ground with grid and shadows, light. */
@@ -22,7 +22,7 @@ export class Stage {
   ) {
     this.#studio = new Studio(renderer);
     scene.environment = this.#studio.environment();
-    scene.environmentIntensity = 0.62;
+    scene.environmentIntensity = ENVIRONMENT;
     scene.add(
       this.#background.mesh,
       this.#contact.mesh,

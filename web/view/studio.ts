@@ -18,14 +18,14 @@ import {
 } from 'three';
 
 /** A lamp: a bright rectangle that looks at the middle of the room. Light in multiples of paper white. */
-interface SoftBox {
+export interface SoftBox {
   readonly at: readonly [number, number, number];
   readonly size: readonly [number, number];
   readonly light: number;
   readonly colour: string;
 }
 
-const BOXES: readonly SoftBox[] = [
+export const SOFT_BOXES: readonly SoftBox[] = [
   { at: [0, 8, 1], size: [9, 7], light: 3.4, colour: '#fff8f0' },
   { at: [-7, 4.5, 5], size: [5, 5], light: 5.5, colour: '#fff4e8' },
   { at: [8, 2, 3], size: [3, 7], light: 1.7, colour: '#e4edff' },
@@ -33,15 +33,20 @@ const BOXES: readonly SoftBox[] = [
   { at: [-6, 3, -7], size: [2, 6], light: 3, colour: '#ffffff' },
 ];
 
+/** Strength of the room's light beside the key. */
+export const ENVIRONMENT = 0.62;
+export const WALLS = { ceiling: [0.5, 0.51, 0.53], floor: [0.13, 0.12, 0.11] } as const;
 /** Where the key light stands; the middle of the room is the model's. */
-const KEY = new Vector3(-2.2, 4, 2.6);
+export const KEY = new Vector3(-2.2, 4, 2.6);
+export const KEY_COLOUR = '#fff1e0';
+export const KEY_INTENSITY = 2.1;
 /** How far a shadow on the ground runs per unit of height. */
 export const KEY_SLANT: readonly [x: number, z: number] = [-KEY.x / KEY.y, -KEY.z / KEY.y];
 
 /** A photographer's room: soft boxes for the reflections and the fill, one key light that casts the shadow. */
 export class Studio {
   readonly lights = new Group();
-  readonly key = new DirectionalLight('#fff1e0', 2.1);
+  readonly key = new DirectionalLight(KEY_COLOUR, KEY_INTENSITY);
   #room: WebGLRenderTarget | undefined;
 
   constructor(private readonly renderer: WebGLRenderer) {
@@ -84,8 +89,8 @@ function roomScene(): Scene {
   const walls = new ShaderMaterial({
     side: BackSide,
     uniforms: {
-      ceiling: { value: new Color(0.5, 0.51, 0.53) },
-      floor_: { value: new Color(0.13, 0.12, 0.11) },
+      ceiling: { value: new Color(...WALLS.ceiling) },
+      floor_: { value: new Color(...WALLS.floor) },
     },
     vertexShader: /* glsl */ `
       varying float height;
@@ -99,7 +104,7 @@ function roomScene(): Scene {
       void main() { gl_FragColor = vec4(mix(floor_, ceiling, smoothstep(-0.6, 0.8, height)), 1.0); }`,
   });
   scene.add(new Mesh(new SphereGeometry(20, 32, 16), walls));
-  for (const box of BOXES) {
+  for (const box of SOFT_BOXES) {
     const material = new MeshBasicMaterial({ color: new Color(box.colour).multiplyScalar(box.light) });
     const lamp = new Mesh(new PlaneGeometry(...box.size), material);
     lamp.position.set(...box.at);

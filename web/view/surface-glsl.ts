@@ -2,6 +2,8 @@
 // inside of open surfaces and the brush's ring. Lines are measured in pixels by the screen-space gradient
 // of the field they are a level of.
 
+import { OPACITY_LOOKUP } from './hair/strand-glsl';
+
 export const VERTEX_DECLARATIONS = /* glsl */ `
 attribute vec4 regionsLow;
 attribute vec4 regionsHigh;
@@ -88,6 +90,31 @@ vec4 over = vec4(0.0);
   }
   diffuseColor.rgb = base;
 }
+`;
+
+/** What hair takes from the light that falls on a surface. Only where there is hair. */
+export const HAIR_DECLARATIONS = /* glsl */ `
+#ifdef HAIR
+precision highp sampler3D;
+${OPACITY_LOOKUP}
+uniform sampler3D hairShade;
+uniform vec3 hairShadeLow;
+uniform float hairShadeSize;
+#endif
+`;
+
+/** After light has been gathered: the key light is the only one that is not part of the room. */
+export const HAIR_SHADE = /* glsl */ `
+#ifdef HAIR
+{
+  float key = exp(-keyLightAt(vPlace, 0.0, 0.0).x);
+  reflectedLight.directDiffuse *= key;
+  reflectedLight.directSpecular *= key;
+  float open_ = texture(hairShade, clamp((vPlace - hairShadeLow) / hairShadeSize, 0.0, 1.0)).r;
+  reflectedLight.indirectDiffuse *= open_;
+  reflectedLight.indirectSpecular *= open_;
+}
+#endif
 `;
 
 /** After tone mapping and encoding: overlay colours are what the palette says. */

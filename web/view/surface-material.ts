@@ -21,6 +21,8 @@ import {
   FRAGMENT_COLOUR,
   FRAGMENT_DECLARATIONS,
   FRAGMENT_OVERLAY,
+  HAIR_DECLARATIONS,
+  HAIR_SHADE,
   VERTEX_BODY,
   VERTEX_DECLARATIONS,
 } from './surface-glsl';
@@ -34,6 +36,7 @@ const each = <T>(make: () => T): T[] => Array.from({ length: CHANNELS }, make);
 export class SurfaceMaterials {
   readonly #heatMap = new DataTexture(heatTexels(256), 256, 1);
   readonly #made = new Map<DisplayOptions['shading'], SurfaceMaterial>();
+  #hair: Readonly<Record<string, IUniform>> | undefined;
 
   readonly uniforms = {
     regionFill: { value: each(() => new Vector4()) },
@@ -91,6 +94,13 @@ export class SurfaceMaterials {
     }
   }
 
+  /** @param uniforms  of the hair that stands between surface and light */
+  setHair(uniforms: Readonly<Record<string, IUniform>> | undefined): void {
+    if (this.#hair === uniforms) return;
+    this.#hair = uniforms;
+    for (const material of this.#made.values()) this.#useHair(material);
+  }
+
   setBrushColour(colour: string): void {
     this.uniforms.brushColour.value.copy(display(colour));
   }
@@ -112,19 +122,27 @@ export class SurfaceMaterials {
     material.shadowSide = DoubleSide;
     material.toneMapped = !(material instanceof MeshMatcapMaterial);
     material.onBeforeCompile = (shader) => this.#extend(shader);
+    this.#useHair(material);
     return material;
   }
 
+  #useHair(material: SurfaceMaterial): void {
+    const { HAIR: _, ...defines } = material.defines ?? {};
+    material.defines = this.#hair ? { ...defines, HAIR: '' } : defines;
+    material.needsUpdate = true;
+  }
+
   #extend(shader: WebGLProgramParametersWithUniforms): void {
-    Object.assign(shader.uniforms, this.uniforms as Record<string, IUniform>);
+    Object.assign(shader.uniforms, this.uniforms as Record<string, IUniform>, this.#hair);
     shader.vertexShader = VERTEX_DECLARATIONS + after(shader.vertexShader, 'begin_vertex', VERTEX_BODY);
     shader.fragmentShader =
       FRAGMENT_DECLARATIONS +
-      after(
-        after(shader.fragmentShader, 'color_fragment', FRAGMENT_COLOUR),
-        'colorspace_fragment',
-        FRAGMENT_OVERLAY,
-      );
+      HAIR_DECLARATIONS +
+      [
+        ['color_fragment', FRAGMENT_COLOUR] as const,
+        ['lights_fragment_end', HAIR_SHADE] as const,
+        ['colorspace_fragment', FRAGMENT_OVERLAY] as const,
+      ].reduce((source, [chunk, addition]) => after(source, chunk, addition), shader.fragmentShader);
   }
 }
 

@@ -1,5 +1,7 @@
 // What the floors above know of the view: plain data in, plain data out, no three.js types.
 
+import type { HairPort } from './hair/types';
+
 export type Vec3 = readonly [number, number, number];
 
 /** Where a ray met the model. Model space. */
@@ -98,7 +100,7 @@ export interface GizmoEvents {
 }
 
 /** What tools and app use of the viewport. Implemented by `Viewport` in viewport.ts; tests use doubles. */
-export interface ViewportPort {
+export interface ViewportPort extends HairPort {
   /** Shows a model (rest shape); the camera frames it unless `keepCamera`. */
   setModel(model: ViewModel | null, options?: { readonly keepCamera?: boolean }): void;
   /** New places for the same vertices (3 per source vertex), live: normals and GPU arrays only. */
@@ -133,7 +135,8 @@ export interface ViewportPort {
   setPointerHandler(handler: PointerHandler | null): void;
   /** Frames drawn in the last second; 0 at rest (drawing is on demand). */
   readonly frameRate: number;
-  screenshot(width: number, height: number): Promise<Blob>;
+  /** @param options.samples  pictures averaged: smoother hair and edges, and that much longer */
+  screenshot(width: number, height: number, options?: { readonly samples?: number }): Promise<Blob>;
   dispose(): void;
 }
 

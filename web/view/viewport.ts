@@ -12,9 +12,13 @@ import {
   WebGLRenderer,
 } from 'three';
 import { LissomError } from '../core/errors';
+import type { Strands } from '../core/strands';
 import { CameraRig } from './camera-rig';
 import { DrawLoop } from './draw-loop';
 import { Gizmo } from './gizmo';
+import { HairLayer } from './hair/hair-layer';
+import { Rest } from './hair/rest';
+import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './hair/types';
 import { Markers } from './markers';
 import { ModelView } from './model-view';
 import { OrientationWidget, type ViewLabels } from './orientation-widget';
@@ -54,6 +58,8 @@ const MARKER_REACH = 14;
 /** Over clay in either theme. */
 const BRUSH_ADDS = '#ffffff';
 const BRUSH_ERASES = '#ff7a72';
+/** Pictures that make one to keep. */
+const SCREENSHOT_SAMPLES = 32;
 const DEFAULT_DISPLAY: DisplayOptions = {
   shading: 'clay',
   smooth: true,
@@ -75,8 +81,10 @@ export class Viewport implements ViewportPort {
   readonly #input: PointerInput;
   readonly #resizes: ResizeObserver;
   readonly #stop = new AbortController();
+  readonly #hair: HairLayer;
+  readonly #rest: Rest;
   readonly #loop = new DrawLoop(
-    (elapsed) => this.#rig.advance(elapsed),
+    (elapsed) => this.#advance(elapsed),
     () => this.#draw(),
   );
 
@@ -99,7 +107,9 @@ export class Viewport implements ViewportPort {
     this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, ViewSpace.identity, () => this.#redraw());
     this.#widget = new OrientationWidget((preset) => this.setView(preset), options.labels);
     container.append(this.#widget.element);
-    this.#scene.add(this.#markers.group);
+    this.#hair = new HairLayer(this.#renderer, options.test ?? false);
+    this.#rest = new Rest(this.#renderer, () => this.#loop.request());
+    this.#scene.add(this.#markers.group, this.#hair.group);
     this.#input = new PointerInput(canvas, {
       rig: this.#rig,
       gizmo: this.#gizmo,
@@ -125,6 +135,7 @@ export class Viewport implements ViewportPort {
       this.#scene.add(view.mesh);
     }
     this.#stage.setModel(this.#view && { space: this.#view.space, places: this.#view.places() });
+    this.#hair.setModel(this.#view);
     this.setRegions([]);
     this.setMarkers([]);
     this.setHeat(null);
@@ -151,6 +162,7 @@ export class Viewport implements ViewportPort {
   settlePositions(): void {
     this.#picker?.settle();
     this.#stage.shapeChanged();
+    this.#hair.lightChanged();
     this.#redraw();
   }
 
@@ -203,6 +215,45 @@ export class Viewport implements ViewportPort {
     this.#redraw();
   }
 
+  setHair(strands: Strands | null): void {
+    this.#hair.setHair(strands);
+    this.#hairChanged();
+  }
+
+  setHairOptions(options: Partial<HairOptions>): void {
+    this.#hair.setOptions(options);
+    this.#hairChanged();
+  }
+
+  setStrandShare(share: number | null): void {
+    this.#hair.setShare(share);
+    this.#redraw();
+  }
+
+  setCurves(curves: readonly StyleCurve[]): void {
+    this.#hair.setCurves(curves);
+    this.#redraw();
+  }
+
+  pickCurve(x: number, y: number): CurveHit | null {
+    return this.#hair.pickCurve(x, y, (place) => this.#onScreen(place));
+  }
+
+  setField(field: FieldSample | null): void {
+    this.#hair.setField(field);
+    this.#redraw();
+  }
+
+  setVolume(box: Box | null): void {
+    this.#hair.setVolume(box);
+    this.#redraw();
+  }
+
+  setSupport(surface: SupportSurface | null): void {
+    this.#hair.setSupport(surface);
+    this.#redraw();
+  }
+
   setGizmo(gizmo: GizmoState | null, events?: GizmoEvents): void {
     this.#gizmo.set(gizmo, events, this.#space);
     this.#redraw();
@@ -242,7 +293,8 @@ export class Viewport implements ViewportPort {
   }
 
   fit(vertices?: Uint32Array): void {
-    if (this.#view) this.#rig.frame(this.#view.places(vertices));
+    const places = this.#view?.places(vertices) ?? [];
+    this.#rig.frame(vertices ? places : [...places, ...this.#hair.places()]);
     this.#redraw();
   }
 
@@ -280,7 +332,11 @@ export class Viewport implements ViewportPort {
     return this.#loop.rate;
   }
 
-  async screenshot(width: number, height: number): Promise<Blob> {
+  async screenshot(
+    width: number,
+    height: number,
+    { samples = this.options.test ? 1 : SCREENSHOT_SAMPLES } = {},
+  ): Promise<Blob> {
     const { width: w, height: h } = this.#rig.size;
     const copy = document.createElement('canvas');
     copy.width = width;
@@ -290,12 +346,15 @@ export class Viewport implements ViewportPort {
     brushRadius.value = 0;
     this.#gizmo.visible = false;
     this.#size(width, height, 1);
-    this.#draw();
+    this.#stage.prepare(this.#view?.geometry);
+    if (samples > 1) this.#rest.drawAll(this.#rig.camera, samples, (frame) => this.#render(frame));
+    else this.#render(1);
     // Within the same task the drawing buffer still holds the picture, and nobody sees the detour.
     copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
     brushRadius.value = brush;
     this.#gizmo.visible = true;
     this.#size(w, h, this.#pixelRatio);
+    this.#rest.stirred();
     this.#draw();
     const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
     if (!blob)
@@ -305,6 +364,7 @@ export class Viewport implements ViewportPort {
 
   dispose(): void {
     this.#loop.dispose();
+    this.#rest.dispose();
     this.#stop.abort();
     this.#resizes.disconnect();
     this.#input.dispose();
@@ -313,6 +373,7 @@ export class Viewport implements ViewportPort {
       this.#gizmo,
       this.#widget,
       this.#markers,
+      this.#hair,
       this.#stage,
       this.#materials,
       this.#renderer,
@@ -322,7 +383,7 @@ export class Viewport implements ViewportPort {
   }
 
   get #space(): ViewSpace {
-    return this.#view?.space ?? ViewSpace.identity;
+    return this.#hair.space;
   }
 
   get #palette(): Palette {
@@ -375,6 +436,7 @@ export class Viewport implements ViewportPort {
     const { clientWidth, clientHeight } = container;
     if (clientWidth === 0 || clientHeight === 0) return;
     this.#size(clientWidth, clientHeight, this.#pixelRatio);
+    this.#rest.stirred();
     // At once, for a resized canvas is empty until it is drawn.
     this.#draw();
   }
@@ -384,16 +446,33 @@ export class Viewport implements ViewportPort {
     this.#renderer.setSize(width, height, false);
     this.#materials.uniforms.pixelRatio.value = pixelRatio;
     this.#markers.setPixelRatio(pixelRatio);
+    this.#hair.setSize(width, height, pixelRatio);
     this.#rig.resize(width, height);
   }
 
   #restore(): void {
     this.#stage.restore();
+    this.#hair.lightChanged();
     this.#redraw();
   }
 
   #redraw(): void {
+    this.#rest.stirred();
     this.#loop.request();
+  }
+
+  #advance(elapsed: number): boolean {
+    const moving = this.#rig.advance(elapsed);
+    if (moving) {
+      this.#rest.stirred();
+      this.#hair.paced(elapsed);
+    }
+    return moving;
+  }
+
+  #hairChanged(): void {
+    this.#materials.setHair(this.#hair.shadowUniforms);
+    this.#redraw();
   }
 
   #draw(): void {
@@ -401,9 +480,19 @@ export class Viewport implements ViewportPort {
     this.#stage.prepare(this.#view?.geometry);
     const { camera } = this.#rig;
     this.#gizmo.setCamera(camera);
-    this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
-    this.#renderer.render(this.#scene, camera);
+    if (this.#rest.due) this.#rest.draw(camera, (frame) => this.#render(frame));
+    else {
+      this.#render(0);
+      if (this.#hair.shown && !this.options.test) this.#rest.wait();
+    }
     this.#widget.update(camera, this.#space);
+  }
+
+  /** @param frame  number of a picture at rest, from 1; 0: a moving one */
+  #render(frame: number): void {
+    this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
+    this.#hair.prepare(frame);
+    this.#renderer.render(this.#scene, this.#rig.camera);
   }
 }
 

@@ -1,0 +1,149 @@
+import { Box3, Group, type Vector3, type WebGLRenderer } from 'three';
+import { type Strands, strandCount } from '../../core/strands';
+import type { ModelView } from '../model-view';
+import { ViewSpace } from '../view-space';
+import { CurveOverlay } from './curves';
+import { GuideOverlay } from './guides';
+import { HairView, type Head } from './hair-view';
+import { firstShare, nextShare } from './lod';
+import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './types';
+
+/** Everything of hair in the picture: the strands, and the lines and surfaces one styles them with. */
+export class HairLayer {
+  readonly group = new Group();
+  readonly #hair: HairView;
+  readonly #curves = new CurveOverlay();
+  readonly #guides = new GuideOverlay();
+  #strands: Strands | null = null;
+  #model: ModelView | undefined;
+  #space = ViewSpace.identity;
+  #fixedShare: number | null = null;
+  #share = 1;
+
+  constructor(
+    private readonly renderer: WebGLRenderer,
+    private readonly test: boolean,
+  ) {
+    this.#hair = new HairView(!test);
+    this.group.add(this.#hair.mesh, this.#guides.group, this.#curves.group);
+  }
+
+  /** Drawn space: the model's, or around the hair when it is alone. */
+  get space(): ViewSpace {
+    return this.#space;
+  }
+
+  get shown(): boolean {
+    return this.#hair.shown;
+  }
+
+  /** Uniforms for the surfaces in its shadow, while there is any. */
+  get shadowUniforms(): HairView['shadowUniforms'] | undefined {
+    return this.#hair.shown ? this.#hair.shadowUniforms : undefined;
+  }
+
+  /** The eight corners around the hair, 3 numbers each, drawn units; none without hair. */
+  places(): number[] {
+    const { min, max } = this.#hair.box;
+    if (!this.shown || this.#hair.box.isEmpty()) return [];
+    return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((bits) => [
+      (bits & 1 ? max : min).x,
+      (bits & 2 ? max : min).y,
+      (bits & 4 ? max : min).z,
+    ]);
+  }
+
+  setModel(model: ModelView | undefined): void {
+    this.#model = model;
+    this.#settle();
+    if (this.#strands) this.setHair(this.#strands);
+  }
+
+  setHair(strands: Strands | null): void {
+    const had = this.#hair.total;
+    this.#strands = strands;
+    this.#settle();
+    if (!strands || strandCount(strands) === 0) {
+      this.#hair.clear();
+      return;
+    }
+    this.#hair.set(strands, this.#space, this.#head(), this.renderer.capabilities.maxTextureSize);
+    if (had !== this.#hair.total) this.#share = firstShare(this.#hair.total);
+  }
+
+  setOptions(options: Partial<HairOptions>): void {
+    this.#hair.setOptions(options);
+  }
+
+  setShare(share: number | null): void {
+    this.#fixedShare = share;
+  }
+
+  /** The last moving picture took `elapsed` ms. */
+  paced(elapsed: number): void {
+    if (this.shown) this.#share = nextShare(this.#share, elapsed, this.#hair.total);
+  }
+
+  setCurves(curves: readonly StyleCurve[]): void {
+    this.#curves.set(curves, this.#space);
+  }
+
+  pickCurve(x: number, y: number, onScreen: (place: Vector3) => Vector3): CurveHit | null {
+    return this.#curves.pick(x, y, (point) => onScreen(this.#space.toView(point)));
+  }
+
+  setField(field: FieldSample | null): void {
+    this.#guides.setField(field, this.#space);
+  }
+
+  setVolume(box: Box | null): void {
+    this.#guides.setVolume(box, this.#space);
+  }
+
+  setSupport(surface: SupportSurface | null): void {
+    this.#guides.setSupport(surface, this.#space);
+  }
+
+  /** The head has changed its shape, or the graphics card has forgotten what it had. */
+  lightChanged(): void {
+    this.#hair.lightChanged();
+  }
+
+  setSize(width: number, height: number, pixelRatio: number): void {
+    this.#curves.setSize(width, height, pixelRatio);
+    this.#guides.setSize(width, height, pixelRatio);
+  }
+
+  /** @param frame  number of a picture at rest, from 1; 0: a moving one */
+  prepare(frame: number): void {
+    const adaptive = frame > 0 || this.test ? 1 : this.#share;
+    this.#hair.setShare(this.#fixedShare ?? adaptive);
+    this.#hair.prepare(this.renderer, frame, this.#model?.geometry);
+  }
+
+  dispose(): void {
+    for (const part of [this.#hair, this.#curves, this.#guides]) part.dispose();
+  }
+
+  #head(): Head | undefined {
+    const model = this.#model;
+    return model && { geometry: model.geometry, places: model.places(), triangles: model.model.triangles };
+  }
+
+  #settle(): void {
+    const before = this.#space;
+    if (this.#model) this.#space = this.#model.space;
+    else if (this.#strands) this.#space = spaceAround(this.#strands);
+    else this.#space = ViewSpace.identity;
+    if (this.#space === before) return;
+    this.#curves.place(this.#space);
+    this.#guides.place(this.#space);
+  }
+}
+
+function spaceAround({ points, origin }: Strands): ViewSpace {
+  const box = new Box3().setFromArray(points as unknown as number[]);
+  if (box.isEmpty()) return ViewSpace.identity;
+  const corners = [...box.min, ...box.max].map((x, i) => x + origin[i % 3]!);
+  return ViewSpace.around({ positions: Float64Array.from(corners) });
+}

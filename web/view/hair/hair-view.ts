@@ -1,0 +1,256 @@
+import {
+  Box3,
+  BufferAttribute,
+  type BufferGeometry,
+  Color,
+  Data3DTexture,
+  DataTexture,
+  DoubleSide,
+  InstancedBufferGeometry,
+  LinearFilter,
+  Mesh,
+  RedFormat,
+  RGBAFormat,
+  RGBAIntegerFormat,
+  ShaderMaterial,
+  UnsignedShortType,
+  Vector2,
+  Vector3,
+  type WebGLRenderer,
+} from 'three';
+import type { Strands } from '../../core/strands';
+import type { ViewSpace } from '../view-space';
+import { bakeLight } from './baked-light';
+import { GROUND, KEY_LIGHT, SKY, SOFT_LIGHTS } from './lights';
+import { type Prefix, prefixOf } from './lod';
+import { OpacityMap } from './opacity-map';
+import { fitting, pack, ROW } from './quantise';
+import { resample } from './resample';
+import { SHADE_FRAGMENT, SHADE_VERTEX } from './shade-glsl';
+import type { HairOptions } from './types';
+
+/** The head the hair grows on, drawn units. */
+export interface Head {
+  readonly geometry: BufferGeometry;
+  readonly places: Float32Array;
+  readonly triangles: Uint32Array;
+}
+
+/** Shadows need no more strands than this: they stand for all. */
+const SHADOW_STRANDS = 30_000;
+
+/** One head of hair on the graphics card. */
+export class HairView {
+  readonly #geometry = new InstancedBufferGeometry();
+  readonly #points = new DataTexture(
+    new Uint16Array(4),
+    1,
+    1,
+    RGBAIntegerFormat,
+    UnsignedShortType,
+  );
+  readonly #light = volume(RGBAFormat);
+  readonly #shade = volume(RedFormat);
+  readonly #box = new Box3();
+  readonly #ribbon = {
+    strandPoints: { value: this.#points },
+    boxLow: { value: new Vector3() },
+    boxSize: { value: new Vector3(1, 1, 1) },
+    perStrand: { value: 2 },
+    rootWidth: { value: 0 },
+    taper: { value: 1 },
+  };
+  readonly #frame = { pixels: { value: 1 }, frame: { value: 0 } };
+  readonly #look = {
+    hairColour: { value: new Color() },
+    colourVariation: { value: 0 },
+    natural: { value: true },
+    multisampled: { value: true },
+  };
+  readonly #grid = { gridLow: { value: new Vector3() }, gridSize: { value: 1 } };
+  readonly #opacity = new OpacityMap(this.#geometry, this.#ribbon);
+  readonly #material: ShaderMaterial;
+  readonly mesh: Mesh;
+  /** For the surfaces that hair shades. */
+  readonly shadowUniforms = {
+    ...this.#opacity.uniforms,
+    hairShade: { value: this.#shade },
+    hairShadeLow: this.#grid.gridLow,
+    hairShadeSize: this.#grid.gridSize,
+  };
+
+  #total = 0;
+  #width = 0;
+  #options: HairOptions = { show: true, shading: 'natural', widthScale: 1 };
+  #share = 1;
+  #stale = false;
+
+  /** @param multisampled  whether the picture has several samples a pixel */
+  constructor(multisampled: boolean) {
+    this.#look.multisampled.value = multisampled;
+    this.#points.internalFormat = 'RGBA16UI';
+    this.#material = new ShaderMaterial({
+      side: DoubleSide,
+      alphaToCoverage: multisampled,
+      vertexShader: SHADE_VERTEX,
+      fragmentShader: SHADE_FRAGMENT,
+      uniforms: {
+        ...this.#ribbon,
+        ...this.#frame,
+        ...this.#look,
+        ...this.#grid,
+        ...this.#opacity.uniforms,
+        lightGrid: { value: this.#light },
+        keyDirection: { value: KEY_LIGHT.towards },
+        keyLight: { value: KEY_LIGHT.light },
+        softDirection: { value: SOFT_LIGHTS.map(({ towards }) => towards) },
+        softLight: { value: SOFT_LIGHTS.map(({ light }) => light) },
+        softSpread: { value: SOFT_LIGHTS.map(({ spread }) => spread) },
+        skyLight: { value: SKY },
+        groundLight: { value: GROUND },
+      },
+    });
+    this.mesh = new Mesh(this.#geometry, this.#material);
+    this.mesh.frustumCulled = false;
+    this.mesh.visible = false;
+  }
+
+  /** Strands on the card. */
+  get total(): number {
+    return this.#total;
+  }
+
+  get shown(): boolean {
+    return this.mesh.visible;
+  }
+
+  /** Drawn units; empty without hair. */
+  get box(): Box3 {
+    return this.#box;
+  }
+
+  /** @param rows  the card's largest texture */
+  set(strands: Strands, space: ViewSpace, head: Head | undefined, rows: number): void {
+    const most = fitting(64, rows);
+    const even = resample(strands, space, most);
+    const packed = pack(even, strands.groups);
+    this.#total = even.count;
+    this.#box.min.set(...even.low);
+    this.#box.max.set(...even.high);
+    this.#upload(packed.texels, packed.rows);
+    this.#ribbon.boxLow.value.set(...packed.low);
+    this.#ribbon.boxSize.value.set(...packed.size);
+    if (this.#ribbon.perStrand.value !== even.perStrand || !this.#geometry.index) this.#shape(even.perStrand);
+    this.#ribbon.perStrand.value = even.perStrand;
+    const { look } = strands;
+    this.#width = look.thickness * space.scale;
+    this.#ribbon.taper.value = look.taper;
+    this.#look.hairColour.value.set(look.color);
+    this.#look.colourVariation.value = look.colorVariation;
+    const baked = bakeLight(even, this.#width * this.#options.widthScale, look.taper, head);
+    fill(this.#light, baked.light, baked.n);
+    fill(this.#shade, baked.shade, baked.n);
+    this.#grid.gridLow.value.set(...baked.low);
+    this.#grid.gridSize.value = baked.size;
+    this.#stale = true;
+    this.#apply();
+  }
+
+  clear(): void {
+    this.#total = 0;
+    this.#box.makeEmpty();
+    this.#upload(new Uint16Array(4 * ROW), 1);
+    this.#apply();
+  }
+
+  setOptions(options: Partial<HairOptions>): void {
+    this.#options = { ...this.#options, ...options };
+    this.#look.natural.value = this.#options.shading === 'natural';
+    if (options.widthScale !== undefined) this.#stale = true;
+    this.#apply();
+  }
+
+  /** The share of strands in the pictures to come. */
+  setShare(share: number): void {
+    if (share === this.#share) return;
+    this.#share = share;
+    this.#apply();
+  }
+
+  /** The opacity map is drawn again with the next picture: the head has moved, the card has forgotten. */
+  lightChanged(): void {
+    this.#stale = true;
+  }
+
+  /** @param frame  of a resting picture, 0 for a moving one */
+  prepare(renderer: WebGLRenderer, frame: number, head: BufferGeometry | undefined): void {
+    if (!this.shown) return;
+    this.#frame.frame.value = frame;
+    if (this.#stale) {
+      this.#draw(prefixOf(this.#total, SHADOW_STRANDS / this.#total));
+      this.#opacity.update(renderer, this.#box, KEY_LIGHT.towards, head);
+      this.#stale = false;
+    }
+    this.#draw(prefixOf(this.#total, this.#share));
+    this.#frame.pixels.value = renderer.getDrawingBufferSize(new Vector2()).y;
+  }
+
+  dispose(): void {
+    for (const part of [
+      this.#geometry,
+      this.#points,
+      this.#light,
+      this.#shade,
+      this.#opacity,
+      this.#material,
+    ])
+      part.dispose();
+  }
+
+  #apply(): void {
+    this.mesh.visible = this.#total > 0 && this.#options.show;
+    this.#draw(prefixOf(this.#total, this.#share));
+  }
+
+  #draw({ count, widthScale }: Prefix): void {
+    this.#geometry.instanceCount = count;
+    this.#ribbon.rootWidth.value = this.#width * this.#options.widthScale * widthScale;
+  }
+
+  #upload(texels: Uint16Array, rows: number): void {
+    const image = this.#points.image;
+    // A texture's storage is fixed: another size is another texture.
+    if (image.height !== rows || image.width !== ROW) this.#points.dispose();
+    this.#points.image = { data: texels, width: ROW, height: rows };
+    this.#points.needsUpdate = true;
+  }
+
+  /** Two vertices per point: side and number. The places come from the texture. */
+  #shape(perStrand: number): void {
+    const corners = new Float32Array(6 * perStrand);
+    const index = new Uint16Array(6 * (perStrand - 1));
+    for (let i = 0; i < perStrand; i++) {
+      corners.set([-1, i, 0, 1, i, 0], 6 * i);
+      const v = 2 * i;
+      if (i < perStrand - 1) index.set([v, v + 1, v + 2, v + 2, v + 1, v + 3], 6 * i);
+    }
+    this.#geometry.dispose();
+    this.#geometry.setAttribute('position', new BufferAttribute(corners, 3));
+    this.#geometry.setIndex(new BufferAttribute(index, 1));
+  }
+}
+
+function volume(format: typeof RGBAFormat | typeof RedFormat): Data3DTexture {
+  const texture = new Data3DTexture(new Uint8Array(format === RGBAFormat ? 4 : 1), 1, 1, 1);
+  texture.format = format;
+  texture.minFilter = texture.magFilter = LinearFilter;
+  texture.unpackAlignment = 1;
+  texture.needsUpdate = true;
+  return texture;
+}
+
+function fill(texture: Data3DTexture, values: Uint8Array, n: number): void {
+  if (texture.image.width !== n) texture.dispose();
+  texture.image = { data: values, width: n, height: n, depth: n };
+  texture.needsUpdate = true;
+}
