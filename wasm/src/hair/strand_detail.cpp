@@ -163,10 +163,10 @@ void StrandDetail::apply(Strand& strand, std::uint64_t index) const {
     }
     if (options_.curl > 0) curl(strand, index, guide >= 0 ? static_cast<std::uint64_t>(guide) : index, looseness);
     roughen(strand, index, looseness);
+    ties_.draw(strand.points);
     for (std::size_t k = 1; k < strand.points.size(); ++k) {
         const double along = static_cast<double>(k) * strand.segment;
         Vector3d& p = strand.points[k];
-        p = ties_.drawn(p);
         const bool guarded = along < StrandGrowth::parting_reach * h;
         if (guarded) p = partings_.kept(p, strand.side);
         p = StrandGrowth::lifted(head_, p, std::min(k_clearance * h, 0.5 * along));

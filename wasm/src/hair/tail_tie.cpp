@@ -20,25 +20,34 @@ double smooth(double t) {
     return t * t * (3 - 2 * t);
 }
 
+/// Where a strand first crosses the section's plane along its axis, `within` of its centre; at −1: nowhere.
+struct Crossing {
+    int at = -1; // first point beyond
+    double out = 0;
+};
+Crossing first_crossing(const std::vector<Vector3d>& points, const TailSection& section, double within) {
+    double before = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+        const double along = (points[k] - section.centre).dot(section.axis);
+        if (k > 0 && before < 0 && along >= 0) {
+            const double t = before / (before - along);
+            const double out = (points[k - 1] + t * (points[k] - points[k - 1]) - section.centre).norm();
+            if (out < within) return {static_cast<int>(k), out};
+        }
+        before = along;
+    }
+    return {};
+}
+
 } // namespace
 
 TailPassage passage_of(const std::vector<Vector3d>& points, const TailSection& section) {
     TailPassage out;
-    if (!(section.radius > 0)) return out;
-    const double reach = k_region * section.radius, wide = k_pull * section.radius;
-    double before = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        const Vector3d q = points[k] - section.centre;
-        out.reaches = out.reaches || q.squaredNorm() < reach * reach;
-        const double along = q.dot(section.axis);
-        if (k > 0 && before < 0 && along >= 0 && !out.passes) {
-            const double t = before / (before - along);
-            const Vector3d crossing = points[k - 1] + t * (points[k] - points[k - 1]) - section.centre;
-            out.passes = crossing.squaredNorm() < wide * wide;
-            if (out.passes) out.at = static_cast<int>(k);
-        }
-        before = along;
-    }
+    if (!(section.radius > 0) || points.empty() || (points[0] - section.centre).dot(section.axis) >= 0) return out;
+    const double reach = k_region * section.radius;
+    for (const Vector3d& p : points) out.reaches = out.reaches || (p - section.centre).squaredNorm() < reach * reach;
+    out.at = first_crossing(points, section, k_pull * section.radius).at;
+    out.passes = out.at >= 0;
     return out;
 }
 
@@ -55,21 +64,22 @@ std::vector<double> TailTie::looseness(const std::vector<Vector3d>& points, doub
     return out;
 }
 
-Vector3d TailTie::drawn(const Vector3d& p) const {
-    Vector3d q = p;
+void TailTie::draw(std::vector<Vector3d>& points) const {
     for (const TailSection& s : sections_) {
         if (!(s.radius > 0)) continue;
-        const Vector3d from = q - s.centre;
-        const double along = from.dot(s.axis);
-        const Vector3d across = from - along * s.axis;
-        const double r = across.norm(), R = k_fill * s.radius;
-        if (r < 1e-9 * R || r > k_by * s.radius || std::abs(along) > k_by * s.radius) continue;
-        const double ratio = r / R, squared = ratio * ratio;
-        const double drawn_in = 1 / std::sqrt(std::sqrt(1 + squared * squared)); // r to R (1 + (R/r)^4)^-1/4
-        const double share = (1 - smooth(std::abs(along) / (k_by * s.radius))) * (1 - smooth((r / s.radius - 1.5) / (k_by - 1.5)));
-        q += share * (drawn_in - 1) * across;
+        const Crossing crossing = first_crossing(points, s, k_region * s.radius);
+        if (crossing.at < 0) continue;
+        const double ratio = crossing.out / (k_fill * s.radius), squared = ratio * ratio;
+        const double drawn_in = 1 - 1 / std::sqrt(std::sqrt(1 + squared * squared)); // to R (1 + (R/r)^4)^-1/4
+        for (std::size_t k = 1; k < points.size(); ++k) {
+            const Vector3d from = points[k] - s.centre;
+            const double along = from.dot(s.axis);
+            const Vector3d across = from - along * s.axis;
+            const double share = (1 - smooth(std::abs(along) / (k_by * s.radius))) *
+                                 (1 - smooth(across.norm() / s.radius - k_region));
+            points[k] -= share * drawn_in * across;
+        }
     }
-    return q;
 }
 
 } // namespace lissom

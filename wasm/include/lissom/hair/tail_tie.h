@@ -8,7 +8,7 @@ namespace lissom {
 
 /// How a strand meets the first cross-section C1 of a ponytail.
 struct TailPassage {
-    bool reaches = false; ///< comes within three radii of its centre: the strand is rooted in the ponytail's region
+    bool reaches = false; ///< rooted before its plane and comes within three radii: the strand is of its region
     bool passes = false;  ///< crosses it along its axis, no farther out than 1.3 radii, where the pull begins (Fu 4.5)
     int at = -1;          ///< the first point beyond the plane
 };
@@ -25,8 +25,8 @@ public:
     /// How loose detail may be at each point of a strand, 0..1: little up to a tie, all of it beyond.
     [[nodiscard]] std::vector<double> looseness(const std::vector<Eigen::Vector3d>& points, double segment) const;
 
-    /// The point drawn into the ties that it lies by.
-    [[nodiscard]] Eigen::Vector3d drawn(const Eigen::Vector3d& p) const;
+    /// Draws a strand that crosses a tie's plane anywhere near it together with the others there; its root stays.
+    void draw(std::vector<Eigen::Vector3d>& points) const;
 
 private:
     std::vector<TailSection> sections_;
