@@ -297,3 +297,22 @@ TEST_CASE("a part of a wider matrix can be solved where it lies") {
     CHECK(wide.rightCols(1) == before.rightCols(1));
     CHECK(wide.middleCols(2, 3) == solved(cholesky, before.middleCols(2, 3)));
 }
+
+TEST_CASE("the triangle that is copied out is a factor of the matrix") {
+    const Grid g = grid(15, 13);
+    const SparseMatrix A = laplacian(195, g.edges, 1e-2);
+    SparseCholesky cholesky(A, &g.points);
+    CHECK_THROWS_AS(static_cast<void>(cholesky.lower_triangle()), SolverFailure);
+    cholesky.factorize(A);
+    const LowerTriangle triangle = cholesky.lower_triangle();
+    Eigen::MatrixXd L = Eigen::MatrixXd::Zero(195, 195);
+    for (int k = 0; k < 195; ++k) {
+        CHECK(triangle.rows[triangle.offsets[k]] == k);
+        for (std::size_t t = triangle.offsets[k]; t < triangle.offsets[k + 1]; ++t)
+            L(triangle.rows[t], k) = triangle.values[t];
+    }
+    const Eigen::MatrixXd product = L * L.transpose(), dense = A;
+    for (int i = 0; i < 195; ++i)
+        for (int j = 0; j < 195; ++j)
+            CHECK(product(i, j) == doctest::Approx(dense(triangle.order[i], triangle.order[j])).epsilon(1e-12));
+}

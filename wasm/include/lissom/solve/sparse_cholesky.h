@@ -30,16 +30,19 @@ public:
     /// @param A            n×n; every diagonal entry is part of the pattern
     /// @param coordinates  optional n×3 positions of the unknowns: with them a geometric nested dissection
     ///                     is tried beside the minimum degree order and the one with less work wins
-    /// @throws InvalidInput `not-square`
+    /// @throws InvalidInput `not-square`, `wrong-size` (other than n coordinates)
     explicit SparseCholesky(const SparseMatrix& A, const Points* coordinates = nullptr);
     ~SparseCholesky();
     SparseCholesky(SparseCholesky&&) noexcept;
     SparseCholesky& operator=(SparseCholesky&&) noexcept;
 
-    /// Starts a factorization of the values of `A` (same pattern as analyzed; lower triangle).
+    /// Starts a factorization of the values of `A` (same pattern as analyzed; lower triangle). They are copied.
+    /// @throws InvalidInput `pattern-changed`
+    /// @throws SolverFailure  a value is not finite: names its row and column
     void begin(const SparseMatrix& A);
 
-    /// Factors some more supernodes: roughly `work` multiply-adds of them. Deterministic whatever the slices.
+    /// Factors some more supernodes: roughly `work` multiply-adds of them, at least 64 columns of one.
+    /// Deterministic whatever the slices.
     /// @returns true while there is more to do
     /// @throws SolverFailure  a pivot is not positive: names the column (in A's numbering), pivot and size
     bool step(double work = 5e7);
@@ -51,6 +54,8 @@ public:
     void factorize(const SparseMatrix& A);
 
     /// Solves A X = B in place for all columns of B at once. n×k, k ≥ 1. Requires a finished factorization.
+    /// @throws InvalidInput `wrong-size`
+    /// @throws SolverFailure  no finished factorization, or the solution is not finite
     void solve(Eigen::Ref<Columns> B) const;
 
     /// L of A = P L Lᵀ Pᵀ, copied out with the zeros that amalgamation stored: for whoever changes it entry by
