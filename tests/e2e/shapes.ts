@@ -1,0 +1,81 @@
+// Small models as OBJ text: quads, in an order nobody would choose twice.
+
+/** A closed bar of `length` × `width` × `width` cells along x, all faces quads. */
+export function barObj(length: number, width: number): string {
+  const index = new Map<string, number>();
+  const lines: string[] = [];
+  const vertex = (x: number, y: number, z: number): number => {
+    const key = `${x},${y},${z}`;
+    let number = index.get(key);
+    if (number === undefined) {
+      number = index.size + 1;
+      index.set(key, number);
+      lines.push(`v ${x} ${y} ${z}`);
+    }
+    return number;
+  };
+  const faces: string[] = [];
+  const size = [length, width, width] as const;
+  for (const axis of [0, 1, 2] as const) {
+    const [u, v] = [(axis + 1) % 3, (axis + 2) % 3] as [0 | 1 | 2, 0 | 1 | 2];
+    for (const side of [0, size[axis]])
+      for (let i = 0; i < size[u]; i++)
+        for (let j = 0; j < size[v]; j++) {
+          const corner = (du: number, dv: number): number => {
+            const at: [number, number, number] = [0, 0, 0];
+            [at[axis], at[u], at[v]] = [side, i + du, j + dv];
+            return vertex(...at);
+          };
+          const ring = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+          faces.push(`f ${(side === 0 ? ring.reverse() : ring).join(' ')}`);
+        }
+  }
+  return `${[...lines, 'g bar', ...faces].join('\n')}\n`;
+}
+
+/** A wavy open sheet of `n` × `n` quads: many vertices in little text. */
+export function sheetObj(n: number): string {
+  const lines: string[] = [];
+  for (let j = 0; j <= n; j++)
+    for (let i = 0; i <= n; i++)
+      lines.push(`v ${i} ${(4 * Math.sin(i / 9) * Math.cos(j / 11)).toFixed(4)} ${j}`);
+  for (let j = 0; j < n; j++)
+    for (let i = 0; i < n; i++) {
+      const a = j * (n + 1) + i + 1;
+      lines.push(`f ${a} ${a + n + 1} ${a + n + 2} ${a + 1}`);
+    }
+  return `${lines.join('\n')}\n`;
+}
+
+const LENGTH = 16;
+const WIDTH = 4;
+export const BAR = barObj(LENGTH, WIDTH);
+
+const vertices = BAR.split('\n')
+  .filter((line) => line.startsWith('v '))
+  .map((line) => line.split(' ').slice(1).map(Number));
+/** The bar's vertices for which `inside(x, y, z)` holds. */
+export const ofBar = (inside: (x: number, y: number, z: number) => boolean): number[] =>
+  vertices.flatMap(([x, y, z], v) => (inside(x!, y!, z!) ? [v] : []));
+
+const rest = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+/** The bar held at both ends; what lies beyond x = 3 may move. */
+export const BAR_RECIPE = JSON.stringify({
+  lissom: 1,
+  models: { bar: { file: 'bar.obj' } },
+  steps: [
+    {
+      id: 'deform 1',
+      type: 'deform',
+      model: 'bar',
+      roi: ofBar((x) => x > 3),
+      handles: [
+        { kind: 'region', name: 'Foot', vertices: ofBar((x) => x < 2), matrix: rest },
+        { kind: 'region', name: 'Tip', vertices: ofBar((x) => x > LENGTH - 2), matrix: rest },
+      ],
+      method: 'implicit',
+      options: { removeShear: true, scaleDetails: false, iterations: 1, coherenceRing: 1 },
+    },
+  ],
+  outputs: [],
+});
