@@ -1,16 +1,20 @@
 // Edits of a hair step that tools and panels share. With the mirror on, what is done on one side of the head
 // is done on the other too: a new primitive comes with its mirror image, an edit of one is an edit of both.
 
+import { roundTo } from '../../core/decimal';
 import type { HairEdit, HairScene } from './host';
 import { MIDDLE, places, SHORTEST } from './measures';
-import { lengthOf, type Line, quantised, resampled, smoothed } from './polyline';
+import { type Line, lengthOf, quantised, resampled, smoothed } from './polyline';
 import {
   added,
   isMiddle,
+  mainPart,
+  mapped,
   mirrored,
   type Part,
   type Point,
   type Primitive,
+  pointsOf,
   primitiveAt,
   removed,
   replaced,
@@ -21,10 +25,11 @@ import {
 type Scene = Pick<HairScene, 'step' | 'height' | 'mirror'>;
 
 /** A drawn line as it is kept: the tremor taken out, points evenly spaced, in few digits. */
-export function kept(line: Line, height: number, spacing: number): Point[] {
-  const fine = resampled(line, (spacing * height) / 3);
-  return quantised(resampled(smoothed(fine, 4), spacing * height), places(height));
-}
+export const kept = (line: Line, height: number, spacing: number): Point[] =>
+  quantised(evened(line, height, spacing), places(height));
+
+export const evened = (line: Line, height: number, spacing: number): Line =>
+  resampled(smoothed(resampled(line, (spacing * height) / 3), 4), spacing * height);
 
 export const isTooShort = (line: Line, height: number): boolean => lengthOf(line) < SHORTEST * height;
 
@@ -60,16 +65,13 @@ export function removePrimitive({ step, mirror }: Scene, index: number): HairEdi
 /** A copy of its own, selected, a little to the side so that it can be told from the first. */
 export function duplicatePrimitive({ step, height }: Scene, index: number): HairEdit {
   const primitive = primitiveAt(step, index)!;
-  const { name: _, ...item } = primitive.item;
-  const copy = { kind: primitive.kind, item } as Primitive;
-  const by = height / 40;
-  const aside = mappedBy(copy, by, places(height));
-  const { style, index: at } = added(step, aside);
+  const [[x] = [0]] = pointsOf(primitive, mainPart(primitive));
+  const by = x < 0 ? -ASIDE * height : ASIDE * height;
+  const digits = places(height);
+  const copy = mapped(primitive, ([px, y, z]) => [roundTo(px + by, digits), y, z]);
+  const { name: _, ...item } = copy.item;
+  const { style, index: at } = added(step, { kind: copy.kind, item } as Primitive);
   return { step: style, selected: at };
 }
 
-function mappedBy(primitive: Primitive, by: number, digits: number): Primitive {
-  const [x] = firstPoint(primitive);
-  const side = x < 0 ? -by : by;
-  return movedBy(primitive, side, digits);
-}
+const ASIDE = 1 / 40;

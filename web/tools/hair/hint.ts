@@ -1,7 +1,7 @@
 // Hint strokes: a second stroke beside a curve, read by where it starts and ends (Fu 4.5, Fig 4.3 c to h).
 
-import { arcAt, crossing, from, joined, type Line, nearestOn, type OnLine, smoothed, upTo } from './polyline';
 import { gap, mix } from '../geometry';
+import { arcAt, crossing, from, joined, type Line, nearestOn, type OnLine, smoothed, upTo } from './polyline';
 
 /** Where on the curve a hint stroke acts: the place between two of its points. */
 export type Place = Pick<OnLine, 'segment' | 't'>;

@@ -1,7 +1,7 @@
-import type { HairStep } from '../../recipe/recipe';
 import type { StyleCurve } from '../../view/hair/types';
 import type { ViewportPort } from '../../view/types';
 import type { Line } from './polyline';
+import type { HairStep } from './step';
 import type { SupportSurface } from './support';
 
 /** The open hair step and the head it works on, as tools read them. */

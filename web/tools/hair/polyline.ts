@@ -77,6 +77,15 @@ export function resampled(line: Line, step: number): Vec3[] {
   return [...out, line.at(-1)!];
 }
 
+/** Without the inner points that are nearer than `least` to the one before; its ends stay. */
+export function thinned(line: Line, least: number): Vec3[] {
+  const out = line.slice(0, 1);
+  for (const point of line.slice(1, -1)) if (gap(out.at(-1)!, point) >= least) out.push(point);
+  const end = line.at(-1)!;
+  if (out.length > 1 && gap(out.at(-1)!, end) < least) out.pop();
+  return line.length > 1 ? [...out, end] : out;
+}
+
 /** Takes the hand's tremor out: each pass puts half of every inner point on the middle of its neighbours. */
 export function smoothed(line: Line, passes: number): Vec3[] {
   let out = [...line];
