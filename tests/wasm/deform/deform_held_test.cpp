@@ -2,6 +2,7 @@
 
 #include "handles.h"
 
+#include "lissom/deform/held_region.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
 
@@ -52,6 +53,18 @@ TEST_CASE("outside the region not a bit changes, inside it follows smoothly") {
         CHECK(moved(v, 2) - mesh.points(v, 2) > -0.02);
         CHECK(moved(v, 2) - mesh.points(v, 2) < 0.22);
     }
+}
+
+TEST_CASE("what lies more than two rings from a free vertex is not looked at") {
+    const TriangleMesh mesh = shapes::torus(60, 30);
+    const lissom::WorkingMesh working = shapes::working(mesh);
+    const std::vector<int> roi{100, 101, 102};
+    std::vector<lissom::Finding> warnings;
+    const std::vector<DeformHandle> held{point(103)};
+    const lissom::HeldRegion region = lissom::hold_region(working, lissom::assign_roles(working, roi, held), 1, warnings);
+    CHECK(region.unknowns == 3);
+    CHECK(region.slots() == 4);
+    CHECK(region.mesh.vertex_count() < 50);
 }
 
 TEST_CASE("a mesh held by one point follows a move of it rigidly") {
