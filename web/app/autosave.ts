@@ -185,7 +185,7 @@ export class Autosave implements AutosaveService {
       index: Math.max(0, document.index - from),
       files: files.map(({ file, hash }) => ({ file, hash })),
       steps: recipe.steps.length,
-      handles: recipe.steps.reduce((sum, step) => sum + step.handles.length, 0),
+      handles: recipe.steps.reduce((sum, step) => sum + ('handles' in step ? step.handles.length : 0), 0),
     };
     await store.write(stored, new Map(missing.map((hash) => [hash, bytes.get(hash)!])));
     await this.#prune(id);

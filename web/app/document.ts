@@ -41,9 +41,9 @@ export class Document implements DocumentService {
     return this.#history.selection;
   }
 
-  /** The committed open step. */
+  /** The committed open step while it is one that deforms. */
   get step(): DeformStep | undefined {
-    return edit.stepById(this.recipe, this.selection.step);
+    return edit.deformStepById(this.recipe, this.selection.step);
   }
 
   /** The open step as drawn; reads signals. */

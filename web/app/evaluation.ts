@@ -5,7 +5,7 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import { isCancelled } from '../core/errors';
 import { Latest } from '../core/latest';
 import { stepById } from '../recipe/edit';
-import type { DeformStep, Recipe, Step } from '../recipe/recipe';
+import type { Recipe, Step } from '../recipe/recipe';
 import type { Runner } from '../run/evaluate';
 import type { ModelResult, StepReport } from '../run/types';
 import { t } from './i18n';
@@ -16,7 +16,7 @@ export type RunnerPort = Pick<Runner, 'run' | 'input'>;
 /** The open step's result: what is on screen. */
 export interface Evaluation {
   readonly recipe: Recipe;
-  readonly step: DeformStep;
+  readonly step: Step;
   readonly input: ModelResult;
   readonly positions: Float64Array;
   /** `null` for a step without handles: it leaves its input as it is. */
@@ -29,7 +29,7 @@ export interface Evaluation {
 
 interface Request {
   readonly recipe: Recipe;
-  readonly step: DeformStep;
+  readonly step: Step;
   readonly live: boolean;
 }
 
@@ -118,7 +118,7 @@ export class Evaluator {
   }
 
   async #run({ recipe, step, live }: Request, signal: AbortSignal, onProgress: (fraction: number) => void) {
-    if (step.handles.length === 0) {
+    if (step.type === 'deform' && step.handles.length === 0) {
       const input = await this.runner.input(recipe, step.id, { signal });
       return { input, positions: input.model.positions, report: null };
     }
@@ -158,6 +158,8 @@ export class Evaluator {
 function sameSession(a: Request, b: Request): boolean {
   const [s, r] = [a.step, b.step];
   return (
+    s.type === 'deform' &&
+    r.type === 'deform' &&
     s.id === r.id &&
     s.model === r.model &&
     s.roi === r.roi &&

@@ -4,7 +4,7 @@ import { batch, effect } from '@preact/signals';
 import { faceCount, vertexCount } from '../core/model';
 import { toIndices } from '../core/vertex-set';
 import type { Measured, OpenedModel } from '../kernel/contract';
-import type { DeformHandle } from '../recipe/recipe';
+import type { DeformHandle, DeformStep } from '../recipe/recipe';
 import type { Runner } from '../run/evaluate';
 import type { ModelResult } from '../run/types';
 import { pointAt, transform } from '../tools/geometry';
@@ -36,11 +36,13 @@ export function syncFigures(
     abort.abort();
     abort = new AbortController();
     batch(() => publish(state, evaluation));
-    if (evaluation?.settled && evaluation.report)
+    if (!evaluation?.settled || !evaluation.report) return;
+    const { step } = evaluation;
+    if (step.type === 'deform')
       measure(runner, evaluation, abort.signal)
         .then((measured) => {
           state.stretch.value = measured.stretch;
-          state.whatItDid.value = whatItDid(evaluation, measured);
+          state.whatItDid.value = whatItDid({ ...evaluation, step }, measured);
         })
         .catch(failed);
   });
@@ -89,7 +91,10 @@ function publish(state: State, evaluation: Evaluation | null): void {
   }
 }
 
-export function whatItDid(evaluation: Evaluation, measured: Measured): WhatItDid {
+export function whatItDid(
+  evaluation: Evaluation & { readonly step: DeformStep },
+  measured: Measured,
+): WhatItDid {
   const { step, input, positions } = evaluation;
   const { volumeRatio, edgeRms, flippedTriangles } = measured;
   const worstStretch = measured.worstStretch - 1;

@@ -4,6 +4,7 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
 import type { Finding } from '../core/errors';
 import type { Model } from '../core/model';
+import { deformStepById } from '../recipe/edit';
 import type { DeformStep, Recipe } from '../recipe/recipe';
 import type { DisplayOptions, GizmoMode } from '../view/types';
 import type { MessageKey } from './i18n';
@@ -118,9 +119,9 @@ export class State {
 
   readonly recipe: ReadonlySignal<Recipe> = computed(() => this.shown.value.recipe);
   readonly selection: ReadonlySignal<Selection> = computed(() => this.shown.value.selection);
-  /** The open deform step. */
+  /** The open step while it is one that deforms. */
   readonly step: ReadonlySignal<DeformStep | undefined> = computed(() =>
-    this.recipe.value.steps.find((step) => step.id === this.selection.value.step),
+    deformStepById(this.recipe.value, this.selection.value.step),
   );
 
   // The workspace

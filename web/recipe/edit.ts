@@ -30,6 +30,12 @@ export const takenNames = (recipe: Recipe): string[] => [
 export const stepById = (recipe: Recipe, id: string): Step | undefined =>
   recipe.steps.find((step) => step.id === id);
 
+/** The step if it is one that deforms. */
+export function deformStepById(recipe: Recipe, id: string): DeformStep | undefined {
+  const step = stepById(recipe, id);
+  return step?.type === 'deform' ? step : undefined;
+}
+
 /** A deform step as it starts: everything may move, nothing is held yet. */
 export const newDeformStep = (id: string, model: string): DeformStep => ({
   id,
