@@ -77,7 +77,12 @@ export class FakeKernel implements KernelPort {
       this.settles.push(settle);
       const { rest, moved } = this.#sessions[deform - 1]!;
       const positions = rest.map((x, i) => (moved.has(Math.floor(i / 3)) ? x + targets[12 + (i % 3)]! : x));
-      return { positions, iterations: 1, seconds: { solve: this.solveSeconds, rotate: 0, reconstruct: 0 } };
+      return {
+        positions,
+        iterations: 1,
+        warnings: [],
+        seconds: { solve: this.solveSeconds, rotate: 0, reconstruct: 0 },
+      };
     },
     measure: ({ positions }) => ({
       volumeRatio: 1,

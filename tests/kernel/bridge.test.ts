@@ -11,6 +11,7 @@ const targets = (first: number) => Float64Array.of(first);
 const moved = (...numbers: number[]): Deformed => ({
   positions: Float64Array.from(numbers),
   iterations: 1,
+  warnings: [],
   seconds: { solve: 0, rotate: 0, reconstruct: 0 },
 });
 const prepareArgs = { model: 1 as ModelId, roi: new Uint32Array(), handles: [], options: {} };

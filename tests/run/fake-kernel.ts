@@ -101,7 +101,7 @@ export class FakeKernel implements KernelPort {
     for (const [at, { vertices }] of handles.entries())
       for (const vertex of vertices)
         for (let axis = 0; axis < 3; axis++) positions[3 * vertex + axis]! += targets[16 * at + 12 + axis]!;
-    return { positions, iterations: 1, seconds: { solve: 0.3, rotate: 0.4, reconstruct: 0.5 } };
+    return { positions, iterations: 1, warnings: [], seconds: { solve: 0.3, rotate: 0.4, reconstruct: 0.5 } };
   }
 }
 

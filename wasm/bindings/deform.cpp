@@ -95,6 +95,7 @@ val deform(const HeldSession& held, const val& targets, bool settle) {
         val result = val::object();
         result.set("positions", float64_array(moved.positions));
         result.set("iterations", moved.iterations);
+        result.set("warnings", findings(moved.warnings));
         result.set("seconds", seconds);
         return result;
     });

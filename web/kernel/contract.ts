@@ -7,6 +7,8 @@ import type { Finding } from '../core/errors';
 export type ModelId = number & { readonly brand: 'ModelId' };
 /** A factored deformation held by the kernel until `release`. Dies with the worker. */
 export type DeformId = number & { readonly brand: 'DeformId' };
+/** A head prepared for hair, with its style, held by the kernel until `release`. Dies with the worker. */
+export type HairId = number & { readonly brand: 'HairId' };
 
 export interface OpenedModel {
   readonly model: ModelId;
@@ -50,6 +52,8 @@ export interface Deformed {
   /** 3 per source vertex. */
   readonly positions: Float64Array;
   readonly iterations: number;
+  /** Of these targets: `rotation-near-180`, whose examples are handle numbers from 0. */
+  readonly warnings: readonly Finding[];
   readonly seconds: { readonly solve: number; readonly rotate: number; readonly reconstruct: number };
 }
 
@@ -60,6 +64,93 @@ export interface Measured {
   readonly flippedTriangles: number;
   /** Per source vertex: mean of l/l₀ − 1 over its edges. */
   readonly stretch: Float32Array;
+}
+
+export interface OpenedHair {
+  readonly hair: HairId;
+  /** Nodes of the field per axis. */
+  readonly grid: readonly [number, number, number];
+  /** Corners of the volume that hair may fill, model space. */
+  readonly low: readonly [number, number, number];
+  readonly high: readonly [number, number, number];
+  /** What the sizes of hair are measured by, model units. */
+  readonly headHeight: number;
+  readonly seconds: { readonly prepare: number };
+  readonly peakBytes: number;
+}
+
+/** Style primitives in model space; all lines are 3 numbers a point. */
+export interface HairStyle {
+  readonly streams: readonly { readonly points: Float64Array; readonly fade: boolean }[];
+  readonly partings: readonly {
+    readonly points: Float64Array;
+    /** Degrees, at the two ends. */
+    readonly tilt: readonly [number, number];
+    /** In grid steps. */
+    readonly sigma: number;
+    readonly height: number;
+  }[];
+  readonly ponytails: readonly {
+    readonly spine: Float64Array;
+    readonly section: Float64Array;
+    /** At most two. */
+    readonly profiles: readonly Float64Array[];
+    readonly tightness: number;
+  }[];
+}
+
+export interface StyledHair {
+  /** Of style and scalp together. */
+  readonly constraints: number;
+  /** Their examples number the primitives through: streams, partings, ponytails. */
+  readonly warnings: readonly Finding[];
+  readonly seconds: { readonly update: number; readonly field: number };
+}
+
+/** How strands grow and what detail they get; what is left out has the kernel's default. Lengths in model units. */
+export interface HairOptions {
+  /** A whole number. */
+  readonly seed?: number;
+  /** In grid steps. */
+  readonly step?: number;
+  readonly length?: number;
+  readonly lengthVariation?: number;
+  /** Factor of the length per source vertex. */
+  readonly lengthMap?: Float32Array;
+  readonly volume?: number;
+  readonly clump?: number;
+  readonly curl?: number;
+  readonly curlLength?: number;
+  readonly frizz?: number;
+  readonly flyaways?: number;
+}
+
+export interface GrownHair {
+  /** Strands + 1, counted in points. */
+  readonly offsets: Uint32Array;
+  /** 3 per point, root first, relative to `origin`. */
+  readonly points: Float32Array;
+  /** 3 numbers, model space. */
+  readonly origin: Float64Array;
+  /** 2 per strand. */
+  readonly rootUvs: Float32Array;
+  /** Per strand the clump it belongs to. */
+  readonly groups: Uint32Array;
+  /** Points deeper in the head than 0.5 % of its height. */
+  readonly insideHead: number;
+  /** Strands of fewer than three segments. */
+  readonly shortStrands: number;
+  /** Per ponytail: strands of its region, and those of them that pass through its first cross-section. */
+  readonly reached: readonly number[];
+  readonly gathered: readonly number[];
+  readonly seconds: { readonly grow: number };
+  readonly peakBytes: number;
+}
+
+/** A picture of the field: every so many nodes, model space, single precision. */
+export interface FieldVectors {
+  readonly places: Float32Array;
+  readonly vectors: Float32Array;
 }
 
 export interface Kernel {
@@ -88,8 +179,33 @@ export interface Kernel {
   /** What moving a model's vertices to `positions` did to it. */
   measure(args: { model: ModelId; positions: Float64Array }): Measured;
 
+  /**
+   * Prepares a head for hair: once per head, scalp and resolution. Reports progress, can be cancelled.
+   * Codes: scalp-empty, scalp-vertex, bad-resolution, head-empty.
+   */
+  openHair(args: {
+    model: ModelId;
+    /** Source vertices that hair grows on. */
+    scalp: Uint32Array;
+    /** Field nodes along the longest side of the volume, 16..96. */
+    resolution: number;
+    up: 'y' | 'z';
+  }): OpenedHair;
+
+  /** Solves the field of a style; the cost follows what changed since the last one. */
+  styleHair(args: { hair: HairId; style: HairStyle }): StyledHair;
+
+  /**
+   * Strands [from, from + count) of the last style: the same whatever range they are grown in, so a preview is a
+   * prefix. Reports progress, can be cancelled. Codes: too-many-strands, bad-option.
+   */
+  growHair(args: { hair: HairId; from: number; count: number; options: HairOptions }): GrownHair;
+
+  /** The field of the last style, at every `stride`-th node along each axis. */
+  hairField(args: { hair: HairId; stride: number }): FieldVectors;
+
   /** Frees a model or a session. Unknown ids are ignored, so it is safe in any clean-up. */
-  release(args: { id: ModelId | DeformId }): void;
+  release(args: { id: ModelId | DeformId | HairId }): void;
 }
 
 export type Method = keyof Kernel;

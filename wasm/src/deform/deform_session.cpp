@@ -31,7 +31,7 @@ void PreparedDeform::map_sources(const Roles& roles) {
     }
     for (int h = 0; h < static_cast<int>(handles.size()); ++h)
         for (const int v : handles[h].vertices)
-            if (working.working_of_source[v] < 0) handle_sources.emplace_back(v, h);
+            if (working.working_of_source[v] < 0 && working.source.row(v).allFinite()) handle_sources.emplace_back(v, h);
 }
 
 void PreparedDeform::assemble() {

@@ -2,7 +2,7 @@
 
 import { type Finding, LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
-import { type Model, vertexCount, withPositions } from '../../core/model';
+import { vertexCount, withPositions } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
@@ -38,7 +38,7 @@ export const deformRunner: StepRunner<DeformStep> = {
         roi: toIndices(step.roi, count),
         handles: handles.map(({ kind, vertices }) => ({
           kind,
-          vertices: toIndices(vertices, count).filter((v) => isPlaced(v, input.model)),
+          vertices: toIndices(vertices, count),
         })),
         options: { method: step.method, ...step.options },
       },
@@ -54,7 +54,7 @@ export const deformRunner: StepRunner<DeformStep> = {
       figures: { free: prepared.free, degenerate: prepared.degenerate, iterations: deformed.iterations },
       seconds: { ...prepared.seconds, ...deformed.seconds },
       peakBytes: prepared.peakBytes,
-      warnings: [...warnings, ...prepared.warnings],
+      warnings: [...warnings, ...prepared.warnings, ...deformed.warnings],
     };
   },
 };
@@ -65,10 +65,6 @@ const held = (step: DeformStep): DeformHandle[] =>
     if (vertices === 'all') return true;
     return 'ranges' in vertices ? vertices.ranges.length > 0 : vertices.length > 0;
   });
-
-/** A map would spread a coordinate that is no number over the others; such a vertex goes out as it came in. */
-const isPlaced = (vertex: number, { positions }: Model): boolean =>
-  positions.subarray(3 * vertex, 3 * vertex + 3).every(Number.isFinite);
 
 /** What is factored: everything but where the handles go. Names and hiding are for the eye only. */
 const constraints = (step: DeformStep): object => ({
