@@ -21,7 +21,10 @@ describe('OBJ', () => {
 
   test('what was read and is written again does not change', () => {
     const once = readStrands(write('obj'), 'wavy.obj');
-    const twice = readStrands(writeStrands(once, 'obj', { centimetresPerUnit: 1 }), 'wavy.obj');
+    const again = writeStrands(once, 'obj', { centimetresPerUnit: 1 });
+    const twice = readStrands(again, 'wavy.obj');
+    expect(text(again)).toBe(text(writeStrands(twice, 'obj', { centimetresPerUnit: 1 })));
+    expect(text(again).match(/^o .*$/gm)).toEqual(['o Strands']);
     expect(twice.strands).toEqual(once.strands);
     expect(twice.head!.positions).toEqual(once.head!.positions);
   });

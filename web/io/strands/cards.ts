@@ -1,6 +1,6 @@
 import type { Curves } from './curves';
 import { curveCount } from './curves';
-import { chooseGuides, RootGrid, rootsOf } from './guides';
+import { RootGrid, rootsOf, spreadOrder } from './guides';
 
 /** Flat ribbons that stand for many strands each: what games draw instead of hair. */
 export interface Cards {
@@ -18,50 +18,63 @@ export interface Cards {
   readonly colors: Float32Array;
 }
 
-export interface CardLevel {
+/** How finely cards stand for the hair. */
+interface CardLevel {
   /** Cards at most, and strands a card stands for at least. */
   readonly most: number;
   readonly strandsPerCard: number;
-  readonly rows: number;
+  /** Of the points along a strand, every how-manieth makes a row. */
+  readonly stride: number;
 }
 
-/** From near to far: about 36,000, 8,000 and 1,200 triangles for a full head of hair. */
-export const CARD_LEVELS: readonly CardLevel[] = [
-  { most: 1500, strandsPerCard: 40, rows: 13 },
-  { most: 500, strandsPerCard: 120, rows: 9 },
-  { most: 150, strandsPerCard: 400, rows: 5 },
+/** Points along a strand that bundles are made by: twelve parts, which 1, 2 and 4 divide. */
+const SAMPLES = 13;
+
+/** From near to far: at most 36,000, 6,000 and 900 triangles. */
+const LEVELS: readonly CardLevel[] = [
+  { most: 1500, strandsPerCard: 40, stride: 1 },
+  { most: 500, strandsPerCard: 120, stride: 2 },
+  { most: 150, strandsPerCard: 400, stride: 4 },
 ];
 
 /** Leaders whose roots are nearest are compared in shape; the best takes the strand. */
 const CANDIDATES = 6;
 
-/** The strands gathered around evenly spread leaders, each bundle replaced by a card through its middle. */
-export function makeCards(curves: Curves, { most, strandsPerCard, rows }: CardLevel): Cards {
+/**
+ * Levels of detail, the finest first: strands gathered around evenly spread leaders, each bundle replaced by a card
+ * through its middle.
+ */
+export function makeCards(curves: Curves): Cards[] {
   const total = curveCount(curves);
-  const count = Math.max(1, Math.min(most, total, Math.round(total / strandsPerCard)));
-  const samples = resample(curves, rows);
-  const origin = [0, 0, 0] as const;
-  const { offsets, points } = curves;
-  const look = { thickness: 0, taper: 1, color: '', colorVariation: 0 };
-  const leaders = chooseGuides({ offsets, points, origin, look }, count);
-  const owner = assign(rootsOf(curves), samples, leaders, rows);
+  const samples = resample(curves, SAMPLES);
+  const roots = rootsOf(curves);
+  const counts = LEVELS.map(({ most, strandsPerCard }) =>
+    Math.max(1, Math.min(most, Math.round(total / strandsPerCard))),
+  );
+  const order = spreadOrder(roots, counts[0]!);
   const middle = centreOf(samples);
-  const cards: Cards = {
-    count: leaders.length,
-    rows,
-    positions: new Float32Array(6 * rows * leaders.length),
-    normals: new Float32Array(6 * rows * leaders.length),
-    tangents: new Float32Array(8 * rows * leaders.length),
-    uvs: new Float32Array(4 * rows * leaders.length),
-    colors: new Float32Array(6 * rows * leaders.length),
-  };
-  const members: number[][] = Array.from(leaders, () => []);
-  for (let s = 0; s < total; s++) members[owner[s]!]!.push(s);
-  members.forEach((strands, card) => {
-    putCard(cards, card, strands, samples, curves, middle);
+  return LEVELS.map(({ stride }, level) => {
+    const leaders = order.slice(0, counts[level]);
+    const owner = assign(roots, samples, leaders);
+    const members: number[][] = Array.from(leaders, () => []);
+    for (let s = 0; s < total; s++) members[owner[s]!]!.push(s);
+    const cards = emptyCards(leaders.length, (SAMPLES - 1) / stride + 1);
+    members.forEach((strands, card) => {
+      putCard(cards, card, strands, samples, curves, middle);
+    });
+    return cards;
   });
-  return cards;
 }
+
+const emptyCards = (count: number, rows: number): Cards => ({
+  count,
+  rows,
+  positions: new Float32Array(6 * rows * count),
+  normals: new Float32Array(6 * rows * count),
+  tangents: new Float32Array(8 * rows * count),
+  uvs: new Float32Array(4 * rows * count),
+  colors: new Float32Array(6 * rows * count),
+});
 
 /** `rows` points along each strand, evenly by length. */
 function resample({ offsets, points }: Curves, rows: number): Float32Array {
@@ -90,24 +103,26 @@ function resample({ offsets, points }: Curves, rows: number): Float32Array {
 }
 
 function distance(points: Float32Array, p: number, q: number): number {
-  return Math.hypot(
-    points[3 * p]! - points[3 * q]!,
-    points[3 * p + 1]! - points[3 * q + 1]!,
-    points[3 * p + 2]! - points[3 * q + 2]!,
-  );
+  const dx = points[3 * p]! - points[3 * q]!;
+  const dy = points[3 * p + 1]! - points[3 * q + 1]!;
+  const dz = points[3 * p + 2]! - points[3 * q + 2]!;
+  return Math.sqrt(dx * dx + dy * dy + dz * dz);
 }
 
 /** The place of its leader for each strand: of those rooted nearest, the one that runs most alike. */
-function assign(roots: Float32Array, samples: Float32Array, leaders: Uint32Array, rows: number): Uint32Array {
+function assign(roots: Float32Array, samples: Float32Array, leaders: Uint32Array): Uint32Array {
   const grid = new RootGrid(roots, leaders);
-  const size = 3 * rows;
+  const size = 3 * SAMPLES;
   return Uint32Array.from({ length: roots.length / 3 }, (_, s) => {
     let best = 0;
     let least = Infinity;
     for (const { place } of grid.nearest(roots[3 * s]!, roots[3 * s + 1]!, roots[3 * s + 2]!, CANDIDATES)) {
       const leader = leaders[place]!;
       let apart = 0;
-      for (let i = 0; i < size; i++) apart += (samples[size * s + i]! - samples[size * leader + i]!) ** 2;
+      for (let i = 0; i < size; i++) {
+        const gap = samples[size * s + i]! - samples[size * leader + i]!;
+        apart += gap * gap;
+      }
       if (apart >= least) continue;
       least = apart;
       best = place;
@@ -132,12 +147,13 @@ function putCard(
   centre: readonly number[],
 ): void {
   const { rows } = cards;
+  const stride = (SAMPLES - 1) / (rows - 1);
   const line = meanLine(strands, samples, rows);
   const sides = sidesOf(line, rows, centre);
   const color = [0, 1, 2].map(
     (k) => strands.reduce((sum, s) => sum + curves.colors[3 * s + k]!, 0) / strands.length,
   );
-  const hair = Math.max(...strands.map((s) => curves.widths[curves.offsets[s]!]!));
+  const hair = strands.reduce((most, s) => Math.max(most, curves.widths[curves.offsets[s]!]!), 0);
   for (let r = 0; r < rows; r++) {
     const side = sides[r]!;
     const along = tangentAt(line, r, rows);
@@ -146,7 +162,8 @@ function putCard(
     let spread = 0;
     for (const s of strands) {
       let off = 0;
-      for (let k = 0; k < 3; k++) off += (samples[3 * (rows * s + r) + k]! - line[3 * r + k]!) * side[k]!;
+      for (let k = 0; k < 3; k++)
+        off += (samples[3 * (SAMPLES * s + stride * r) + k]! - line[3 * r + k]!) * side[k]!;
       spread += off * off;
     }
     const half = Math.sqrt((3 * spread) / strands.length) + hair;
@@ -167,9 +184,12 @@ function putCard(
 }
 
 function meanLine(strands: readonly number[], samples: Float32Array, rows: number): Float64Array {
+  const stride = (SAMPLES - 1) / (rows - 1);
   const line = new Float64Array(3 * rows);
   for (const s of strands)
-    for (let i = 0; i < 3 * rows; i++) line[i]! += samples[3 * rows * s + i]! / strands.length;
+    for (let r = 0; r < rows; r++)
+      for (let k = 0; k < 3; k++)
+        line[3 * r + k]! += samples[3 * (SAMPLES * s + stride * r) + k]! / strands.length;
   return line;
 }
 

@@ -95,7 +95,11 @@ export function curvesOf(
   };
 }
 
-function isLine({ offsets, points }: Pick<Groom['strands'], 'offsets' | 'points'>, s: number): boolean {
+/** Whether strand s has two points at least, all finite. */
+export function isLine(
+  { offsets, points }: { readonly offsets: Uint32Array; readonly points: ArrayLike<number> },
+  s: number,
+): boolean {
   const [start, end] = [offsets[s], offsets[s + 1]];
   if (start === undefined || end === undefined || end - start < 2) return false;
   for (let i = 3 * start; i < 3 * end; i++) if (!Number.isFinite(points[i]!)) return false;
@@ -106,11 +110,15 @@ function isLine({ offsets, points }: Pick<Groom['strands'], 'offsets' | 'points'
 export function bounds(points: ArrayLike<number>, margin = 0): { min: number[]; max: number[] } {
   const min = [Infinity, Infinity, Infinity];
   const max = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < points.length; i++) {
-    const k = i % 3;
-    const value = points[i]!;
-    if (value < min[k]!) min[k] = value;
-    if (value > max[k]!) max[k] = value;
+  for (let k = 0; k < 3; k++) {
+    let [low, high] = [Infinity, -Infinity];
+    for (let i = k; i < points.length; i += 3) {
+      const value = points[i]!;
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    min[k] = low;
+    max[k] = high;
   }
   return { min: min.map((c) => c - margin), max: max.map((c) => c + margin) };
 }

@@ -16,6 +16,7 @@ export class FixedText {
     this.#out = out;
   }
 
+  /** ASCII. */
   text(text: string): void {
     if (text.length > LONGEST) {
       this.flush();
@@ -38,11 +39,12 @@ export class FixedText {
     }
     if (value < 0 && scaled > 0) this.#bytes[this.#at++] = 45;
     this.#digits(whole, 1);
-    let rest = scaled - whole * power;
+    // Below 10⁹, so that the divisions are those of small integers.
+    let rest = (scaled - whole * power) | 0;
     if (rest === 0) return;
     let width = places;
-    while (rest % 10 === 0) {
-      rest /= 10;
+    for (let tenth = (rest / 10) | 0; tenth * 10 === rest; tenth = (rest / 10) | 0) {
+      rest = tenth;
       width--;
     }
     this.#bytes[this.#at++] = 46;

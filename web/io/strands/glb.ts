@@ -3,7 +3,7 @@ import { F32, U16, U32 } from '../gltf-accessors';
 import { BufferBuilder, buildGltf } from '../gltf-build';
 import { packGltf } from '../gltf-container';
 import type { GltfJson } from '../gltf-schema';
-import { CARD_LEVELS, type Cards, makeCards } from './cards';
+import { type Cards, makeCards } from './cards';
 import { bounds, curvesToWrite } from './curves';
 import type { StrandWriteOptions } from './options';
 import { headToWrite } from './space';
@@ -33,11 +33,17 @@ export function writeGlb(groom: Groom, options: StrandWriteOptions): Uint8Array 
   const nodes = [...(start?.json.nodes ?? [])];
   const materials = [...(start?.json.materials ?? [])];
   const first = nodes.length;
-  CARD_LEVELS.forEach((level, lod) => {
+  const levels = makeCards(curves);
+  levels.forEach((cards, lod) => {
     const name = `Hair_LOD${lod}`;
-    const primitive = { ...writeCards(binary, makeCards(curves, level)), material: materials.length };
+    const primitive = { ...writeCards(binary, cards), material: materials.length };
     meshes.push({ name, primitives: [primitive] });
-    nodes.push({ name, mesh: meshes.length - 1, scale: SCALE, ...(lod === 0 && coarser(first)) });
+    nodes.push({
+      name,
+      mesh: meshes.length - 1,
+      scale: SCALE,
+      ...(lod === 0 && coarser(first, levels.length - 1)),
+    });
   });
   const hair = {
     name: 'Hair',
@@ -59,8 +65,8 @@ export function writeGlb(groom: Groom, options: StrandWriteOptions): Uint8Array 
 }
 
 /** What names the coarser levels: the nodes after the finest. */
-const coarser = (finest: number) => ({
-  extensions: { MSFT_lod: { ids: CARD_LEVELS.slice(1).map((_, i) => finest + 1 + i) } },
+const coarser = (finest: number, count: number) => ({
+  extensions: { MSFT_lod: { ids: Array.from({ length: count }, (_, i) => finest + 1 + i) } },
   extras: { MSFT_screencoverage: COVERAGE },
 });
 

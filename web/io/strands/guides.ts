@@ -10,9 +10,13 @@ export const usualGuideCount = (strands: number): number =>
  *
  * @returns min(count, strands with a root) strand numbers, ascending
  */
-export function chooseGuides(strands: Strands, count: number): Uint32Array {
-  const total = strandCount(strands);
-  const roots = rootsOf(strands);
+export const chooseGuides = (strands: Strands, count: number): Uint32Array =>
+  spreadOrder(rootsOf(strands), count).sort();
+
+/** The same in the order of their choice, so that any first part is spread evenly too. `roots`: 3 per strand. */
+export function spreadOrder(roots: Float32Array, count: number): Uint32Array {
+  const total = roots.length / 3;
+  // Squared distance to the chosen; below zero: chosen, or without a root.
   const nearest = new Float64Array(total).fill(Infinity);
   for (let s = 0; s < total; s++)
     if (!Number.isFinite(roots[3 * s]! + roots[3 * s + 1]! + roots[3 * s + 2]!)) nearest[s] = -1;
@@ -20,24 +24,28 @@ export function chooseGuides(strands: Strands, count: number): Uint32Array {
   let next = nearest.findIndex((distance) => distance > 0);
   while (next >= 0 && chosen.length < count) {
     chosen.push(next);
-    const [x, y, z] = [roots[3 * next]!, roots[3 * next + 1]!, roots[3 * next + 2]!];
-    // Below zero: chosen, or without a root.
     nearest[next] = -1;
+    const x = roots[3 * next]!;
+    const y = roots[3 * next + 1]!;
+    const z = roots[3 * next + 2]!;
     next = -1;
     let farthest = -1;
-    for (let s = 0; s < total; s++) {
-      const dx = roots[3 * s]! - x;
-      const dy = roots[3 * s + 1]! - y;
-      const dz = roots[3 * s + 2]! - z;
-      const d = Math.min(nearest[s]!, dx * dx + dy * dy + dz * dz);
-      nearest[s] = d;
-      // Not a number where there is no root: never farther.
-      if (!(d > farthest)) continue;
-      farthest = d;
+    for (let s = 0, i = 0; s < total; s++, i += 3) {
+      const dx = roots[i]! - x;
+      const dy = roots[i + 1]! - y;
+      const dz = roots[i + 2]! - z;
+      const d = dx * dx + dy * dy + dz * dz;
+      let held = nearest[s]!;
+      if (d < held) {
+        held = d;
+        nearest[s] = d;
+      }
+      if (held <= farthest) continue;
+      farthest = held;
       next = s;
     }
   }
-  return Uint32Array.from(chosen).sort();
+  return Uint32Array.from(chosen);
 }
 
 export interface ClosestGuides {

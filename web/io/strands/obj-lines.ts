@@ -3,7 +3,7 @@ import { faceCount, type Model, vertexCount } from '../../core/model';
 import type { Groom } from '../../core/strands';
 import { ByteWriter } from '../byte-writer';
 import { GrowingUint32 } from '../growing';
-import { readObj } from '../obj-read';
+import { type ObjExtra, readObj } from '../obj-read';
 import { writeObj } from '../obj-write';
 import { NO_INDEX } from '../reading';
 import { TextScanner } from '../text-scanner';
@@ -22,7 +22,7 @@ export function writeObjLines(groom: Groom, options: StrandWriteOptions): Uint8A
   else out.text('# unit: 0.01 m\n# up: y\n');
   const text = new FixedText(out);
   const places = placesFor(greatest(curves.points));
-  text.text('o Strands\n');
+  text.text('o Strands\ng Strands\n');
   for (let i = 0; i < curves.points.length; i++) {
     text.text(i % 3 === 0 ? 'v ' : ' ');
     text.decimal(curves.points[i]!, places);
@@ -95,9 +95,11 @@ function readLines(bytes: Uint8Array, name: string, total: number) {
   return { offsets: offsets.finish(), vertices: vertices.finish() };
 }
 
-/** The model without the vertices that no face names: those of the strands. */
+/** The model without what belongs to the strands: vertices that no face names, and lines after the last face. */
 function onlyFaces(model: Model): Model {
   const { positions, colors, faceVertices } = model;
+  const { comments, statements } = model.origin!.extra as ObjExtra;
+  const extra: ObjExtra = { comments, statements: statements.filter(({ face }) => face < faceCount(model)) };
   const count = vertexCount(model);
   const place = new Uint32Array(count);
   for (const v of faceVertices) if (v < count) place[v] = 1;
@@ -110,6 +112,7 @@ function onlyFaces(model: Model): Model {
       (_, i) => positions[3 * kept[(i / 3) | 0]! + (i % 3)]!,
     ),
     faceVertices: faceVertices.map((v) => (v < count ? place[v]! : v)),
+    origin: { format: 'obj', extra },
     ...(colors && {
       colors: Uint8Array.from({ length: 4 * kept.length }, (_, i) => colors[4 * kept[i >> 2]! + (i & 3)]!),
     }),

@@ -1,7 +1,7 @@
 import { LissomError } from '../../core/errors';
 import type { Groom, StrandLook } from '../../core/strands';
 import { farOrigin } from '../gltf-build';
-import { bounds } from './curves';
+import { bounds, isLine } from './curves';
 
 /** Strands as a file gave them, in its own unit. */
 export interface ReadStrands {
@@ -37,20 +37,17 @@ export function groomOf(name: string, read: ReadStrands): Groom {
     offsets[i + 1] = offsets[i]! + read.offsets[s + 1]! - read.offsets[s]!;
   });
   const full = new Float64Array(3 * offsets.at(-1)!);
-  kept.forEach((s, i) => {
-    const from = 3 * read.offsets[s]!;
+  for (let i = 0; i < kept.length; i++) {
+    const from = 3 * read.offsets[kept[i]!]!;
     const to = 3 * offsets[i]!;
-    for (let k = 0; k < 3 * offsets[i + 1]! - to; k++) full[to + k] = read.points[from + k]!;
-  });
+    const length = 3 * offsets[i + 1]! - to;
+    for (let k = 0; k < length; k++) full[to + k] = read.points[from + k]!;
+  }
   const origin = farOrigin(full) as [number, number, number];
-  const points = Float32Array.from(full, (c, i) => c - origin[i % 3]!);
+  const points = new Float32Array(full.length);
+  for (let p = 0; p < full.length; p += 3)
+    for (let k = 0; k < 3; k++) points[p + k] = full[p + k]! - origin[k]!;
   return { name, strands: { offsets, points, origin, look: lookOf(read, kept, points) } };
-}
-
-function isLine({ offsets, points }: ReadStrands, s: number): boolean {
-  if (offsets[s + 1]! - offsets[s]! < 2) return false;
-  for (let i = 3 * offsets[s]!; i < 3 * offsets[s + 1]!; i++) if (!Number.isFinite(points[i]!)) return false;
-  return true;
 }
 
 function lookOf(read: ReadStrands, kept: readonly number[], points: Float32Array): StrandLook {
