@@ -44,10 +44,10 @@ export class FakeKernel implements KernelPort {
     this.calls.push(method);
     await this.before(method);
     signal?.throwIfAborted();
-    return this.#answers[method](args as never) as Result<M>;
+    return this.#answers[method]?.(args as never) as Result<M>;
   }
 
-  readonly #answers: { readonly [M in Method]: (args: Args<M>) => Result<M> } = {
+  readonly #answers: { readonly [M in Method]?: (args: Args<M>) => Result<M> } = {
     openModel: ({ positions, faceVertices }) => ({
       model: this.#models.push(positions) as ModelId,
       triangles: faceVertices,

@@ -2,6 +2,7 @@ import fc from 'fast-check';
 import { expect, test } from 'vitest';
 import { formatRecipe } from '../../web/recipe/format';
 import { parseRecipe } from '../../web/recipe/parse';
+import type { DeformStep } from '../../web/recipe/recipe';
 import { anyRecipe, example } from './arbitraries';
 
 test('a recipe written and read is the same to the last bit', () => {
@@ -32,7 +33,8 @@ test('the order in which fields were given does not show', () => {
 
 test('the text is for reading: short things stay on their line, numbers fill theirs', () => {
   const recipe = parseRecipe(example());
-  recipe.steps[0]!.roi = Array.from({ length: 60 }, (_, i) => 100 + 2 * i);
+  const step = recipe.steps[0] as DeformStep;
+  step.roi = Array.from({ length: 60 }, (_, i) => 100 + 2 * i);
   expect(formatRecipe(recipe)).toMatchInlineSnapshot(`
     "{
       "lissom": 1,

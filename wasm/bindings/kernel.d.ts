@@ -5,9 +5,15 @@ import type {
   Deformed,
   DeformHandleSpec,
   DeformOptions,
+  FieldVectors,
+  GrownHair,
+  HairOptions,
+  HairStyle,
   Measured,
+  OpenedHair,
   OpenedModel,
   PreparedDeform,
+  StyledHair,
 } from '../../web/kernel/contract';
 
 export interface KernelModule {
@@ -22,6 +28,18 @@ export interface KernelModule {
     handles: readonly DeformHandleSpec[],
     options: DeformOptions,
   ) => WasmDeformSession;
+  readonly HairSession: new (
+    model: WasmWorkingMesh,
+    scalp: Uint32Array,
+    resolution: number,
+    up: 'y' | 'z',
+  ) => WasmHairSession;
+  readonly HairGrowth: new (
+    hair: WasmHairSession,
+    from: number,
+    count: number,
+    options: HairOptions,
+  ) => WasmHairGrowth;
   measure(model: WasmWorkingMesh, positions: Float64Array): Measured;
   /** Highest heap address so far, in bytes. */
   peakBytes(): number;
@@ -44,6 +62,23 @@ export interface WasmDeformSession extends WasmObject {
   fraction(): number;
   figures(): Omit<PreparedDeform, 'deform' | 'peakBytes'>;
   deform(targets: Float64Array, settle: boolean): Deformed;
+}
+
+export interface WasmHairSession extends WasmObject {
+  /** One slice of the preparation; true while there is more. */
+  step(): boolean;
+  fraction(): number;
+  describe(): Omit<OpenedHair, 'hair' | 'peakBytes'>;
+  style(style: HairStyle): StyledHair;
+  field(stride: number): FieldVectors;
+}
+
+export interface WasmHairGrowth extends WasmObject {
+  /** Some strands more; true while there are more to grow. */
+  step(): boolean;
+  fraction(): number;
+  /** The strands, once. */
+  take(): Omit<GrownHair, 'peakBytes'>;
 }
 
 /** What kernel.mjs takes: how to make an instance once the imports are known. */

@@ -1,5 +1,5 @@
 import { cancelled, LissomError } from '../core/errors';
-import type { Args, CallOptions, DeformId, KernelPort, Method, ModelId, Result } from './contract';
+import type { Args, CallOptions, DeformId, HairId, KernelPort, Method, ModelId, Result } from './contract';
 import { notLoaded, toError, workerRestarted } from './failures';
 import type { Failure, Reply, Request } from './messages';
 
@@ -153,8 +153,8 @@ export class KernelClient implements KernelPort {
 
   /** An answer that crossed its cancellation: nobody will release what it made, so we do. */
   #forget(result: Result<Method>): void {
-    const { model, deform } = (result ?? {}) as { model?: ModelId; deform?: DeformId };
-    const id = deform ?? model;
+    const { model, deform, hair } = (result ?? {}) as { model?: ModelId; deform?: DeformId; hair?: HairId };
+    const id = deform ?? hair ?? model;
     if (id !== undefined) void this.call('release', { id }).catch(() => {});
   }
 }

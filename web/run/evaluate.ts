@@ -26,7 +26,7 @@ export interface RunOptions {
   readonly measure?: boolean;
 }
 
-/** Bytes of positions that cached results may hold. */
+/** Bytes of positions and strands that cached results may hold. */
 const RESULT_BYTES = 256 * 1024 * 1024;
 /** A run may meet the end of a worker that somebody else's cancel had replaced, and once more that of its own. */
 const ATTEMPTS = 3;
@@ -132,7 +132,7 @@ export class Runner {
     const known = this.#results.get(key);
     if (known) return known;
     const outcome: Cached = await run();
-    this.#results.set(key, outcome, outcome.model.positions.byteLength + 1);
+    this.#results.set(key, outcome, bytesOf(outcome));
     return outcome;
   }
 
@@ -174,8 +174,11 @@ export class Runner {
   }
 }
 
+const bytesOf = ({ model, strands }: Cached): number =>
+  model.positions.byteLength + (strands?.points.byteLength ?? 0) + 1;
+
 function resultOf(recipe: Recipe, step: Step, input: ModelResult, outcome: Cached): StepResult {
-  const { model, figures, seconds, peakBytes, warnings, measured } = outcome;
+  const { model, strands, figures, seconds, peakBytes, warnings, measured } = outcome;
   // What was found in a model is told by the steps that start from it, not again by those that follow.
   const found = referencesOf(step).some(({ name }) => Object.hasOwn(recipe.models, name))
     ? input.opened.findings
@@ -190,5 +193,5 @@ function resultOf(recipe: Recipe, step: Step, input: ModelResult, outcome: Cache
     peakBytes,
     warnings: [...found, ...warnings],
   };
-  return { model, input, report, ...(measured ? { measured } : {}) };
+  return { model, input, report, ...(strands ? { strands } : {}), ...(measured ? { measured } : {}) };
 }

@@ -5,11 +5,14 @@ import type {
   Args,
   CallOptions,
   DeformId,
+  HairId,
   KernelPort,
   Method,
   ModelId,
+  OpenedHair,
   PreparedDeform,
   Result,
+  StyledHair,
 } from '../kernel/contract';
 import type { ModelResult } from './types';
 
@@ -17,6 +20,14 @@ import type { ModelResult } from './types';
 const OPEN_MODELS = 8;
 /** Factored systems kept: the one being dragged, and the ones to switch back to. */
 const SESSIONS = 3;
+/** Heads prepared for hair that are kept. */
+const HEADS = 2;
+
+/** A head prepared for hair, and the style that the kernel holds for it now. */
+interface HeldHair {
+  readonly opened: OpenedHair;
+  style?: { readonly key: string; readonly styled: StyledHair };
+}
 
 /**
  * What the kernel holds for us: opened models and factored systems, by content. All ids die with the worker
@@ -26,6 +37,7 @@ export class KernelSession {
   #epoch: number;
   readonly #models = new Lru<ModelResult>(OPEN_MODELS, ({ opened }) => this.#release(opened.model));
   readonly #prepared = new Lru<PreparedDeform>(SESSIONS, ({ deform }) => this.#release(deform));
+  readonly #hair = new Lru<HeldHair>(HEADS, ({ opened }) => this.#release(opened.hair));
   readonly #keys = new WeakMap<Model, string>();
 
   constructor(private readonly kernel: KernelPort) {
@@ -53,6 +65,31 @@ export class KernelSession {
     return prepared;
   }
 
+  /** @param key  of head, scalp and resolution */
+  async openHair(key: string, args: Args<'openHair'>, given: CallOptions): Promise<OpenedHair> {
+    this.#sync();
+    const known = this.#hair.get(key);
+    if (known) return known.opened;
+    const opened = await this.call('openHair', args, given);
+    this.#hair.set(key, { opened });
+    return opened;
+  }
+
+  /** Gives a head its style, unless it has it. @param headKey  as in `openHair`, which comes before */
+  async styleHair(
+    headKey: string,
+    styleKey: string,
+    args: Args<'styleHair'>,
+    given: CallOptions,
+  ): Promise<StyledHair> {
+    const held = this.#hair.get(headKey);
+    if (held?.style?.key === styleKey) return held.style.styled;
+    if (held) delete held.style; // whatever happens now, the kernel's style is no longer that one
+    const styled = await this.call('styleHair', args, given);
+    if (held) held.style = { key: styleKey, styled };
+    return styled;
+  }
+
   call<M extends Method>(method: M, args: Args<M>, given?: CallOptions): Promise<Result<M>> {
     return this.kernel.call(method, args, given);
   }
@@ -76,10 +113,11 @@ export class KernelSession {
     if (!this.isStale) return;
     this.#models.clear();
     this.#prepared.clear();
+    this.#hair.clear();
     this.#epoch = this.kernel.epoch;
   }
 
-  #release(id: ModelId | DeformId): void {
+  #release(id: ModelId | DeformId | HairId): void {
     // A worker that dies meanwhile has freed it already.
     if (!this.isStale) this.kernel.call('release', { id }).catch(() => {});
   }

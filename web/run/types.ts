@@ -1,5 +1,6 @@
 import { type Finding, LissomError } from '../core/errors';
 import type { Model } from '../core/model';
+import type { Strands } from '../core/strands';
 import type { Measured, OpenedModel } from '../kernel/contract';
 import type { ModelRef } from '../recipe/recipe';
 
@@ -36,6 +37,8 @@ export interface StepReport {
 export interface StepResult {
   /** The model the step leaves; for a deform step the input with other positions. */
   readonly model: Model;
+  /** The hair of a hair step, whose model is its head as it came in. */
+  readonly strands?: Strands;
   readonly input: ModelResult;
   readonly report: StepReport;
   readonly measured?: Measured;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 
 namespace lissom {
 
@@ -29,6 +30,16 @@ public:
 private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
+
+/// Where a root lies on a map of the head that keeps angles from its top (azimuthal, equidistant).
+Eigen::Vector2f root_uv(const Vector3d& root, UpAxis up) {
+    const Vector3d d = root.normalized();
+    const int top = static_cast<int>(up), a = (top + 2) % 3, b = (top + 1) % 3;
+    const double across = std::hypot(d[a], d[b]);
+    const double angle = std::atan2(across, d[top]) / std::numbers::pi; // 0 at the top, 1 below
+    const double scale = across > 0 ? 0.5 * angle / across : 0;
+    return Eigen::Vector2d(0.5 + scale * d[a], 0.5 + scale * d[b]).cast<float>();
+}
 
 TriangleMesh moved(TriangleMesh mesh, const Vector3d& by) {
     mesh.points.rowwise() += by.transpose();
@@ -78,6 +89,7 @@ HairSession::HairSession(const TriangleMesh& head, std::span<const int> scalp, i
 }
 
 HairSession::~HairSession() = default;
+HairSession::HairSession(HairSession&&) noexcept = default;
 
 bool HairSession::step() {
     const Clock clock;
@@ -199,13 +211,16 @@ bool HairSession::Growth::step() {
                                                  growth_->options().seed, std::move(guides_)),
         guides_wanted_ = 0;
     if (strands_.root_triangle.empty()) {
-        strands_.offsets.reserve(static_cast<std::size_t>(end_ - from_) + 1);
-        strands_.root_triangle.reserve(static_cast<std::size_t>(end_ - from_));
-        strands_.root_weights.reserve(2 * static_cast<std::size_t>(end_ - from_));
+        const auto count = static_cast<std::size_t>(end_ - from_);
+        strands_.offsets.reserve(count + 1);
+        strands_.root_triangle.reserve(count);
+        strands_.clumps.reserve(count);
+        strands_.root_weights.reserve(2 * count);
+        strands_.root_uvs.reserve(2 * count);
     }
     for (int k = 0; k < slice && next_ < end_; ++k, ++next_) {
         Strand strand = growth_->grow(static_cast<std::uint64_t>(next_));
-        detail_->apply(strand, static_cast<std::uint64_t>(next_));
+        strands_.clumps.push_back(static_cast<std::uint32_t>(detail_->apply(strand, static_cast<std::uint64_t>(next_))));
         add(strand);
     }
     return next_ < end_;
@@ -230,6 +245,8 @@ void HairSession::Growth::add(const Strand& strand) {
     strands_.root_triangle.push_back(strand.root.triangle);
     strands_.root_weights.push_back(static_cast<float>(strand.root.b));
     strands_.root_weights.push_back(static_cast<float>(strand.root.c));
+    const Eigen::Vector2f uv = root_uv(strand.root.position, head_->volume.up);
+    strands_.root_uvs.insert(strands_.root_uvs.end(), {uv.x(), uv.y()});
     if (strand.points.size() < 4) ++figures_.short_strands;
     for (std::size_t t = 0; t < style_->tails.sections().size(); ++t) {
         const TailPassage passage = passage_of(strand.points, style_->tails.sections()[t]);

@@ -66,9 +66,10 @@ StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, c
         const Eigen::Vector3i c = buckets_.local(guides_[g].root.position).cast<int>();
         bucket_[static_cast<std::size_t>(buckets_.node(c.x(), c.y(), c.z()))].push_back(static_cast<int>(g));
     }
-    for (std::size_t g = large_guides; g < guides_.size(); ++g) { // small clumps lean together into large ones
-        const int large = guide_of(guides_[g].root, guides_[g].side, large_guides);
-        if (large >= 0) gather(guides_[g], guides_[static_cast<std::size_t>(large)], k_large_share * options_.clump, 0.1);
+    large_.resize(guides_.size());
+    for (std::size_t g = 0; g < guides_.size(); ++g) { // small clumps lean together into large ones
+        const int large = large_[g] = guide_of(guides_[g].root, guides_[g].side, large_guides);
+        if (large >= 0 && g >= large_guides) gather(guides_[g], guides_[static_cast<std::size_t>(large)], k_large_share * options_.clump, 0.1);
     }
 }
 
@@ -152,7 +153,7 @@ void StrandDetail::roughen(Strand& strand, std::uint64_t index, const std::vecto
     }
 }
 
-void StrandDetail::apply(Strand& strand, std::uint64_t index) const {
+int StrandDetail::apply(Strand& strand, std::uint64_t index) const {
     const double h = volume_.head_height;
     const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
     const std::vector<double> looseness = ties_.looseness(strand.points, strand.segment);
@@ -172,6 +173,8 @@ void StrandDetail::apply(Strand& strand, std::uint64_t index) const {
         p = StrandGrowth::lifted(head_, p, std::min(k_clearance * h, 0.5 * along));
         if (guarded) p = partings_.kept(p, strand.side);
     }
+    const int large = guide >= 0 ? large_[static_cast<std::size_t>(guide)] : -1;
+    return large >= 0 ? large : large_guides;
 }
 
 } // namespace lissom

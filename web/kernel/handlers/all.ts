@@ -1,6 +1,7 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { Handlers } from '../serve';
 import { deformHandlers } from './deform';
+import { hairHandlers } from './hair';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
 
@@ -10,5 +11,6 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
   return {
     ...modelHandlers(wasm, registry),
     ...deformHandlers(wasm, registry),
+    ...hairHandlers(wasm, registry),
   };
 }

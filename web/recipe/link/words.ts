@@ -19,5 +19,7 @@ export const WORDS: readonly string[] =
     'curves surface skeleton contour rest posed twist scale rigid links match markers edgeLength sharpAngle ' +
     'blend dress ' +
     // built-in models
-    'dinosaur critter octopus horse cow bar bunny head-female head-male head-elf body-female body-male'
+    'dinosaur critter octopus horse cow bar bunny head-female head-male head-elf body-female body-male ' +
+    // more of hair
+    'length max variation map factor volume curlLength flyaways material color melanin redness colorVariation thickness taper'
   ).split(' ');

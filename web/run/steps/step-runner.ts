@@ -1,5 +1,6 @@
 import type { Finding } from '../../core/errors';
 import type { Model } from '../../core/model';
+import type { Strands } from '../../core/strands';
 import type { Step } from '../../recipe/recipe';
 import type { KernelSession } from '../session';
 import type { ModelResult } from '../types';
@@ -19,6 +20,7 @@ export interface StepContext {
 /** What a step leaves: a model, and its own figures for the report. */
 export interface StepOutcome {
   readonly model: Model;
+  readonly strands?: Strands;
   readonly figures: Readonly<Record<string, unknown>>;
   readonly seconds: Readonly<Record<string, number>>;
   readonly peakBytes: number;

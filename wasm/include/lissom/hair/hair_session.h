@@ -15,6 +15,8 @@ struct Strands {
     std::vector<float> points;             ///< xyz each, relative to the session's origin, root first
     std::vector<int> root_triangle;        ///< n, of the head that was given
     std::vector<float> root_weights;       ///< 2n: of the triangle's second and third corner
+    std::vector<float> root_uvs;           ///< 2n, in [0, 1]: the root seen from the head's middle, angles from the top kept
+    std::vector<std::uint32_t> clumps;     ///< n: number of its large clump
 
     [[nodiscard]] int count() const { return static_cast<int>(offsets.size()) - 1; }
 };
@@ -44,6 +46,7 @@ public:
     /// @throws InvalidInput `scalp-empty`, `scalp-vertex`, `bad-resolution`, `head-empty`
     HairSession(const TriangleMesh& head, std::span<const int> scalp, int resolution = 48, UpAxis up = UpAxis::y);
     ~HairSession();
+    HairSession(HairSession&&) noexcept;
 
     /// One slice of the preparation; true while there is more.
     bool step();

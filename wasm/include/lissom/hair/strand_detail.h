@@ -28,7 +28,8 @@ public:
     StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings, const TailTie& ties,
                  const DetailOptions& options, std::uint64_t seed, std::vector<Strand> guide_strands);
 
-    void apply(Strand& strand, std::uint64_t index) const;
+    /// @returns number of the large clump that the strand belongs to; `large_guides` for none
+    int apply(Strand& strand, std::uint64_t index) const;
 
 private:
     [[nodiscard]] int guide_of(const Root& root, PartingGuard::Side side, int among) const;
@@ -43,6 +44,7 @@ private:
     DetailOptions options_;
     std::uint64_t seed_;
     std::vector<Strand> guides_;
+    std::vector<int> large_;              // per guide its large clump; −1: none
     Grid buckets_;                        // of guide roots
     std::vector<std::vector<int>> bucket_;
 };

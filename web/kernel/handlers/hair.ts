@@ -1,0 +1,44 @@
+import type { KernelModule } from '../../../wasm/bindings/kernel';
+import type { HairId } from '../contract';
+import type { Handlers } from '../serve';
+import type { Registry } from './registry';
+
+/** Hair: heads prepared in slices, styled at once, grown in slices. */
+export function hairHandlers(
+  wasm: KernelModule,
+  registry: Registry,
+): Pick<Handlers, 'openHair' | 'styleHair' | 'growHair' | 'hairField'> {
+  return {
+    async openHair({ model, scalp, resolution, up }, job) {
+      const session = new wasm.HairSession(registry.get(model, wasm.WorkingMesh), scalp, resolution, up);
+      try {
+        await job.advance(
+          () => session.step(),
+          () => session.fraction(),
+        );
+        const described = session.describe();
+        return { hair: registry.add<HairId>(session), ...described, peakBytes: wasm.peakBytes() };
+      } catch (error) {
+        session.delete();
+        throw error;
+      }
+    },
+
+    styleHair: ({ hair, style }) => registry.get(hair, wasm.HairSession).style(style),
+
+    async growHair({ hair, from, count, options }, job) {
+      const growth = new wasm.HairGrowth(registry.get(hair, wasm.HairSession), from, count, options);
+      try {
+        await job.advance(
+          () => growth.step(),
+          () => growth.fraction(),
+        );
+        return { ...growth.take(), peakBytes: wasm.peakBytes() };
+      } finally {
+        growth.delete();
+      }
+    },
+
+    hairField: ({ hair, stride }) => registry.get(hair, wasm.HairSession).field(stride),
+  };
+}
