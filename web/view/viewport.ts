@@ -491,7 +491,7 @@ export class Viewport implements ViewportPort {
   /** @param frame  number of a picture at rest, from 1; 0: a moving one */
   #render(frame: number): void {
     this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
-    this.#hair.prepare(frame);
+    this.#hair.prepare(this.#rig.camera, frame);
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
 }

@@ -1,4 +1,11 @@
-import { Box3, Group, type Vector3, type WebGLRenderer } from 'three';
+import {
+  Box3,
+  Group,
+  type OrthographicCamera,
+  type PerspectiveCamera,
+  type Vector3,
+  type WebGLRenderer,
+} from 'three';
 import { type Strands, strandCount } from '../../core/strands';
 import type { ModelView } from '../model-view';
 import { ViewSpace } from '../view-space';
@@ -115,10 +122,10 @@ export class HairLayer {
   }
 
   /** @param frame  number of a picture at rest, from 1; 0: a moving one */
-  prepare(frame: number): void {
+  prepare(camera: PerspectiveCamera | OrthographicCamera, frame: number): void {
     const adaptive = frame > 0 || this.test ? 1 : this.#share;
     this.#hair.setShare(this.#fixedShare ?? adaptive);
-    this.#hair.prepare(this.renderer, frame, this.#model?.geometry);
+    this.#hair.prepare(this.renderer, camera, frame, this.#model?.geometry);
   }
 
   dispose(): void {

@@ -2,13 +2,16 @@ import {
   Box3,
   BufferAttribute,
   type BufferGeometry,
-  Color,
+  CustomBlending,
   Data3DTexture,
   DataTexture,
   DoubleSide,
   InstancedBufferGeometry,
   LinearFilter,
   Mesh,
+  OneFactor,
+  type OrthographicCamera,
+  type PerspectiveCamera,
   RedFormat,
   RGBAFormat,
   RGBAIntegerFormat,
@@ -17,16 +20,18 @@ import {
   Vector2,
   Vector3,
   type WebGLRenderer,
+  ZeroFactor,
 } from 'three';
 import type { Strands } from '../../core/strands';
 import type { ViewSpace } from '../view-space';
 import { bakeLight } from './baked-light';
-import { GROUND, KEY_LIGHT, SKY, SOFT_LIGHTS } from './lights';
+import { KEY_LIGHT } from './lights';
 import { type Prefix, prefixOf } from './lod';
 import { OpacityMap } from './opacity-map';
 import { fitting, pack, ROW } from './quantise';
 import { resample } from './resample';
 import { SHADE_FRAGMENT, SHADE_VERTEX } from './shade-glsl';
+import { StrandLight } from './strand-light';
 import type { HairOptions } from './types';
 
 /** The head the hair grows on, drawn units. */
@@ -42,13 +47,7 @@ const SHADOW_STRANDS = 30_000;
 /** One head of hair on the graphics card. */
 export class HairView {
   readonly #geometry = new InstancedBufferGeometry();
-  readonly #points = new DataTexture(
-    new Uint16Array(4),
-    1,
-    1,
-    RGBAIntegerFormat,
-    UnsignedShortType,
-  );
+  readonly #points = new DataTexture(new Uint16Array(4), 1, 1, RGBAIntegerFormat, UnsignedShortType);
   readonly #light = volume(RGBAFormat);
   readonly #shade = volume(RedFormat);
   readonly #box = new Box3();
@@ -61,14 +60,14 @@ export class HairView {
     taper: { value: 1 },
   };
   readonly #frame = { pixels: { value: 1 }, frame: { value: 0 } };
-  readonly #look = {
-    hairColour: { value: new Color() },
-    colourVariation: { value: 0 },
-    natural: { value: true },
-    multisampled: { value: true },
-  };
   readonly #grid = { gridLow: { value: new Vector3() }, gridSize: { value: 1 } };
   readonly #opacity = new OpacityMap(this.#geometry, this.#ribbon);
+  readonly #strandLight = new StrandLight({
+    ...this.#ribbon,
+    ...this.#grid,
+    ...this.#opacity.uniforms,
+    lightGrid: { value: this.#light },
+  });
   readonly #material: ShaderMaterial;
   readonly mesh: Mesh;
   /** For the surfaces that hair shades. */
@@ -87,31 +86,30 @@ export class HairView {
 
   /** @param multisampled  whether the picture has several samples a pixel */
   constructor(multisampled: boolean) {
-    this.#look.multisampled.value = multisampled;
     this.#points.internalFormat = 'RGBA16UI';
     this.#material = new ShaderMaterial({
       side: DoubleSide,
       alphaToCoverage: multisampled,
+      // After the ground, which would otherwise lie over long hair; it still hides and is hidden by depth.
+      transparent: true,
+      // Alpha chooses samples; the picture itself stays opaque.
+      blending: CustomBlending,
+      blendSrc: OneFactor,
+      blendDst: ZeroFactor,
+      blendSrcAlpha: ZeroFactor,
+      blendDstAlpha: OneFactor,
       vertexShader: SHADE_VERTEX,
       fragmentShader: SHADE_FRAGMENT,
       uniforms: {
         ...this.#ribbon,
         ...this.#frame,
-        ...this.#look,
-        ...this.#grid,
-        ...this.#opacity.uniforms,
-        lightGrid: { value: this.#light },
-        keyDirection: { value: KEY_LIGHT.towards },
-        keyLight: { value: KEY_LIGHT.light },
-        softDirection: { value: SOFT_LIGHTS.map(({ towards }) => towards) },
-        softLight: { value: SOFT_LIGHTS.map(({ light }) => light) },
-        softSpread: { value: SOFT_LIGHTS.map(({ spread }) => spread) },
-        skyLight: { value: SKY },
-        groundLight: { value: GROUND },
+        strandLight: this.#strandLight.texture,
+        multisampled: { value: multisampled },
       },
     });
     this.mesh = new Mesh(this.#geometry, this.#material);
     this.mesh.frustumCulled = false;
+    this.mesh.renderOrder = 5;
     this.mesh.visible = false;
   }
 
@@ -145,8 +143,7 @@ export class HairView {
     const { look } = strands;
     this.#width = look.thickness * space.scale;
     this.#ribbon.taper.value = look.taper;
-    this.#look.hairColour.value.set(look.color);
-    this.#look.colourVariation.value = look.colorVariation;
+    this.#strandLight.setLook(look.color, look.colorVariation);
     const baked = bakeLight(even, this.#width * this.#options.widthScale, look.taper, head);
     fill(this.#light, baked.light, baked.n);
     fill(this.#shade, baked.shade, baked.n);
@@ -165,7 +162,7 @@ export class HairView {
 
   setOptions(options: Partial<HairOptions>): void {
     this.#options = { ...this.#options, ...options };
-    this.#look.natural.value = this.#options.shading === 'natural';
+    this.#strandLight.setNatural(this.#options.shading === 'natural');
     if (options.widthScale !== undefined) this.#stale = true;
     this.#apply();
   }
@@ -183,15 +180,24 @@ export class HairView {
   }
 
   /** @param frame  of a resting picture, 0 for a moving one */
-  prepare(renderer: WebGLRenderer, frame: number, head: BufferGeometry | undefined): void {
+  prepare(
+    renderer: WebGLRenderer,
+    camera: PerspectiveCamera | OrthographicCamera,
+    frame: number,
+    head: BufferGeometry | undefined,
+  ): void {
     if (!this.shown) return;
     this.#frame.frame.value = frame;
     if (this.#stale) {
       this.#draw(prefixOf(this.#total, SHADOW_STRANDS / this.#total));
       this.#opacity.update(renderer, this.#box, KEY_LIGHT.towards, head);
+      this.#strandLight.changed();
       this.#stale = false;
     }
-    this.#draw(prefixOf(this.#total, this.#share));
+    const prefix = prefixOf(this.#total, this.#share);
+    const wanted = Math.ceil((prefix.count * this.#ribbon.perStrand.value) / ROW);
+    this.#strandLight.update(renderer, camera, this.#points.image.height, wanted);
+    this.#draw(prefix);
     this.#frame.pixels.value = renderer.getDrawingBufferSize(new Vector2()).y;
   }
 
@@ -202,6 +208,7 @@ export class HairView {
       this.#light,
       this.#shade,
       this.#opacity,
+      this.#strandLight,
       this.#material,
     ])
       part.dispose();

@@ -30,5 +30,5 @@ export const KEY_LIGHT = {
   light: new Color(KEY_COLOUR).multiplyScalar(KEY_INTENSITY),
 };
 /** Radiance from above and below: the walls, and the lamps that are left. */
-export const SKY = new Color(...WALLS.ceiling).multiplyScalar(ENVIRONMENT).addScalar(0.08);
-export const GROUND = new Color(...WALLS.floor).multiplyScalar(ENVIRONMENT).addScalar(0.03);
+export const SKY = new Color(...WALLS.ceiling).multiplyScalar(ENVIRONMENT).addScalar(0.16);
+export const GROUND = new Color(...WALLS.floor).multiplyScalar(ENVIRONMENT).addScalar(0.08);

@@ -53,9 +53,9 @@ export class OpacityMap {
     layerStep: { value: LAYER },
   };
 
-  /** @param strandUniforms  those of the ribbons; `pixels` and `frame` are the map's own */
+  /** @param strandUniforms  those of the ribbons; `pixels` is the map's own */
   constructor(geometry: BufferGeometry, strandUniforms: ShaderMaterial['uniforms']) {
-    const own = { ...strandUniforms, pixels: { value: TEXELS }, frame: { value: 0 } };
+    const own = { ...strandUniforms, pixels: { value: TEXELS } };
     this.#nearest = new ShaderMaterial({
       uniforms: own,
       vertexShader: OPACITY_VERTEX,

@@ -1,46 +1,16 @@
 // What light does in hair. Angles as Marschner et al., "Light scattering from human hair fibers" (2003):
 // θ from the plane across the strand, φ around it; the tangent points from root to tip.
 
-import { OPACITY_LOOKUP, RIBBON } from './strand-glsl';
+import { OPACITY_LOOKUP, RIBBON, STRAND_POINTS } from './strand-glsl';
 
-export const SHADE_VERTEX = /* glsl */ `
-${RIBBON}
+/** One texel per point of a strand, in the order of the points' texture. */
+export const LIGHT_FRAGMENT = /* glsl */ `
+precision highp sampler3D;
+${STRAND_POINTS}
+${OPACITY_LOOKUP}
 uniform vec3 hairColour;       // linear
 uniform float colourVariation; // 0..1
 uniform bool natural;
-varying vec3 vPlace;
-varying vec3 vTangent;
-varying vec3 vColour;
-varying float vAlong;
-varying float vSide;
-varying float vCover;
-flat varying vec2 vChance;
-
-void main() {
-  Ribbon r = ribbonAt(position.xy, gl_InstanceID, viewMatrix, projectionMatrix);
-  vPlace = r.place;
-  vTangent = r.tangent;
-  vAlong = r.along;
-  vSide = position.x;
-  vCover = r.cover;
-  vChance = vec2(unit(r.seed * 2u + 0x9e3779b9u * frame), unit(r.seed ^ 0x5bd1e995u));
-  float lighter = unit(r.seed + 0x68bc21ebu) - 0.5;
-  float warmer = unit(r.seed + 0x02e5be93u) - 0.5;
-  float ofGroup = r.group == 0u ? 0.0 : unit(r.group + 0x7f4a7c15u) - 0.5;
-  float amount = 1.6 * colourVariation;
-  vec3 colour = hairColour * exp(amount * (lighter + 0.7 * ofGroup));
-  colour *= exp(amount * 0.5 * warmer * vec3(0.5, 0.0, -0.7));
-  // Sun and wear bleach towards the tips.
-  if (natural) colour *= mix(0.78, 1.22, smoothstep(0.0, 1.0, r.along));
-  vColour = min(colour, vec3(0.94));
-  gl_Position = projectionMatrix * viewMatrix * vec4(r.place, 1.0);
-}`;
-
-export const SHADE_FRAGMENT = /* glsl */ `
-precision highp sampler3D;
-${OPACITY_LOOKUP}
-uniform bool natural;
-uniform bool multisampled;
 uniform vec3 keyDirection;
 uniform vec3 keyLight;
 uniform vec3 softDirection[3];
@@ -51,13 +21,9 @@ uniform vec3 groundLight;
 uniform sampler3D lightGrid;   // openness; what is left of the three soft lights after a quarter of the way
 uniform vec3 gridLow;
 uniform float gridSize;
-varying vec3 vPlace;
-varying vec3 vTangent;
-varying vec3 vColour;
-varying float vAlong;
-varying float vSide;
-varying float vCover;
-flat varying vec2 vChance;
+uniform vec3 eyePlace;
+uniform vec3 eyeBack;          // from the scene to the eye
+uniform bool eyeFar;           // orthographic
 
 const float PI = 3.14159265;
 
@@ -86,11 +52,11 @@ vec3 lit(Fibre fibre, vec3 towards, float spread, vec3 colour, float near, vec3 
   float cosHalfPhi = sqrt(max(0.0, 0.5 + 0.5 * cosPhi));
   float fresnel = 0.046 + 0.954 * pow(1.0 - cosDiff * cosHalfPhi, 5.0);
   // Roughness of the lobes 1 : ½ : 2, shifts −2 : 1 : 3 (Marschner 2003, table 1), widened by the lamp.
-  float soft = 0.12 + 0.4 * spread;
-  vec3 r = vec3(bell(half_ + fibre.tilt, soft) * 0.25 * cosHalfPhi * fresnel);
+  float soft = 0.085 + 0.35 * spread;
+  vec3 r = vec3(1.4 * bell(half_ + fibre.tilt, soft) * 0.25 * cosHalfPhi * fresnel);
   // Around the strand: fits of the thick-cylinder integrals by Karis, "Physically based hair shading" (2016).
-  vec3 tt = bell(half_ - 0.5 * fibre.tilt, 0.6 * soft) * exp(-3.65 * cosPhi - 3.98) * fibre.through;
-  vec3 trt = bell(half_ - 1.5 * fibre.tilt, 1.7 * soft) * exp(17.0 * cosPhi - 16.78) * 0.12 * fibre.through * fibre.through;
+  vec3 tt = 0.5 * bell(half_ - 0.5 * fibre.tilt, 0.6 * soft) * exp(-3.65 * cosPhi - 3.98) * fibre.through;
+  vec3 trt = bell(half_ - 1.5 * fibre.tilt, 1.7 * soft) * exp(17.0 * cosPhi - 16.78) * 0.06 * fibre.through * fibre.through;
   float cosines = cosLight / max(0.25, cosDiff * cosDiff);
   vec3 single = (r + trt) * near + tt * far * mix(0.35, 1.0, near);
   // What has bounced between strands has lost its direction but for a preference for the lit side.
@@ -109,23 +75,43 @@ vec3 kajiyaKay(vec3 tangent, vec3 eye, vec3 towards, vec3 colour) {
   return colour * sinLight / PI + vec3(0.1 * shine);
 }
 
-void main() {
-  float width = 2.0 * (vCover - vChance.x) + 0.5;
-  float alpha = clamp(vCover >= 1.0 ? 1.0 : width, 0.0, 1.0);
-  if (multisampled ? alpha <= 0.0 : alpha < 0.5) discard;
-  vec3 tangent = normalize(vTangent);
-  vec3 eye = isOrthographic ? vec3(viewMatrix[0][2], viewMatrix[1][2], viewMatrix[2][2]) : normalize(cameraPosition - vPlace);
-  vec4 light = texture(lightGrid, clamp((vPlace - gridLow) / gridSize, 0.0, 1.0));
-  vec3 softDepth = -4.0 * log(max(light.gba, 1.0 / 512.0));
-  vec2 key = keyLightAt(vPlace, 0.3, 3.0);
 
-  vec3 colour = vColour;
+vec3 colourOf(uint seed, uint group, float along) {
+  float lighter = unit(seed + 0x68bc21ebu) - 0.5;
+  float warmer = unit(seed + 0x02e5be93u) - 0.5;
+  float ofGroup = group == 0u ? 0.0 : unit(group + 0x7f4a7c15u) - 0.5;
+  float amount = 1.6 * colourVariation;
+  vec3 colour = hairColour * exp(amount * (lighter + 0.7 * ofGroup));
+  colour *= exp(amount * 0.5 * warmer * vec3(0.5, 0.0, -0.7));
+  // Sun and wear bleach towards the tips.
+  if (natural) colour *= mix(0.78, 1.22, along);
+  // Filmic tones deepen dark colours; hair in the shade would look dyed.
+  colour = mix(colour, vec3(dot(colour, vec3(0.2126, 0.7152, 0.0722))), 0.18);
+  return min(colour, vec3(0.94));
+}
+
+void main() {
+  int number = int(gl_FragCoord.y) * textureSize(strandPoints, 0).x + int(gl_FragCoord.x);
+  int strand = number / perStrand;
+  int point = number - strand * perStrand;
+  uvec4 texel = texelOf(strand, point);
+  vec3 place = placeOf(texel);
+  vec3 along = alongOf(strand, point);
+  vec3 tangent = along / max(length(along), 1e-9);
+  vec3 eye = eyeFar ? eyeBack : normalize(eyePlace - place);
+  uint seed = uint(strand);
+  vec3 colour = colourOf(seed, texel.w, float(point) / float(perStrand - 1));
+  vec4 light = texture(lightGrid, clamp((place - gridLow) / gridSize, 0.0, 1.0));
+  vec3 softDepth = -4.0 * log(max(light.gba, 1.0 / 512.0));
+  vec2 key = keyLightAt(place, 0.3, 3.0);
   // Strands absorb per crossing what, over the many crossings in a head of hair, makes this colour:
   // Chiang et al., "A practical and controllable hair and fur model" (2016), equation 9 at roughness 0.3.
-  vec3 sigma = pow(log(max(colour, vec3(0.002))) / 5.89, vec3(2.0));
-  Fibre fibre = Fibre(tangent, eye, dot(tangent, eye), exp(-2.0 * sigma), 0.1 + 0.1 * (vChance.y - 0.5));
+  vec3 root = log(max(colour, vec3(0.002))) / 5.89;
+  vec3 sigma = root * root;
+  Fibre fibre = Fibre(tangent, eye, dot(tangent, eye), exp(-2.6 * sigma), 0.1 + 0.14 * (unit(seed ^ 0x5bd1e995u) - 0.5));
   // Loss per crossed strand of light that goes on forwards.
-  vec3 loss = 0.1 + 0.55 * (1.0 - exp(-1.6 * sigma));
+  vec3 loss = 0.55 * (1.0 - exp(-1.6 * sigma));
+  loss = 0.1 + mix(loss, vec3(dot(loss, vec3(0.33))), 0.4);
 
   vec3 sum;
   if (natural) {
@@ -143,9 +129,39 @@ void main() {
     for (int i = 0; i < 3; i++) sum += softLight[i] * exp(-softDepth[i]) * kajiyaKay(tangent, eye, softDirection[i], colour);
     sum += mix(groundLight, skyLight, 0.6) * colour * light.r;
   }
+  gl_FragColor = vec4(sum, 1.0);
+}`;
+
+export const SHADE_VERTEX = /* glsl */ `
+${RIBBON}
+uniform sampler2D strandLight;
+uniform uint frame;       // of a resting picture: which strands stand for those too thin to see
+varying vec3 vLight;
+varying float vSide;
+varying float vCover;
+flat varying float vChance;
+void main() {
+  Ribbon r = ribbonAt(position.xy, gl_InstanceID, viewMatrix, projectionMatrix);
+  vLight = texelFetch(strandLight, cellOf(numberOf(gl_InstanceID, int(position.y))), 0).rgb;
+  vSide = position.x;
+  vCover = r.cover;
+  vChance = unit(uint(gl_InstanceID) * 2u + 0x9e3779b9u * frame);
+  gl_Position = projectionMatrix * viewMatrix * vec4(r.place, 1.0);
+}`;
+
+export const SHADE_FRAGMENT = /* glsl */ `
+uniform bool multisampled;
+varying vec3 vLight;
+varying float vSide;
+varying float vCover;
+flat varying float vChance;
+
+void main() {
+  // Of strands thinner than a pixel some stand for all, whole: grain along strands looks like hair, across it like noise.
+  float alpha = vCover >= 1.0 ? 1.0 : clamp(2.0 * (vCover - vChance) + 0.5, 0.0, 1.0);
+  if (multisampled ? alpha <= 0.0 : alpha < 0.5) discard;
   // A ribbon is flat; the strand it stands for is round.
-  sum *= 1.0 - 0.35 * vSide * vSide * vCover;
-  gl_FragColor = vec4(sum, alpha);
+  gl_FragColor = vec4(vLight * (1.0 - 0.35 * vSide * vSide * vCover), alpha);
   #include <tonemapping_fragment>
   #include <colorspace_fragment>
 }`;

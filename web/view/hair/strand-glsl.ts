@@ -1,25 +1,12 @@
 import { ROW_BITS } from './quantise';
 
-/** A strand's ribbon: two vertices per point, turned towards the eye, never thinner than a pixel. */
-export const RIBBON = /* glsl */ `
+/** Strands as their texture holds them. */
+export const STRAND_POINTS = /* glsl */ `
 precision highp usampler2D;
 uniform usampler2D strandPoints;
 uniform vec3 boxLow;
 uniform vec3 boxSize;
 uniform int perStrand;
-uniform float rootWidth;  // drawn units
-uniform float taper;      // tip's width as a share of the root's
-uniform float pixels;     // height of the picture
-uniform uint frame;       // of a resting picture: which strands stand for those too thin to see
-
-struct Ribbon {
-  vec3 place;
-  vec3 tangent;
-  float along;  // 0 root, 1 tip
-  float cover;  // true width over drawn width
-  uint seed;
-  uint group;
-};
 
 // O'Neill, "PCG: a family of simple fast algorithms" (2014), the RXS-M-XS output function.
 uint scramble(uint x) {
@@ -29,41 +16,45 @@ uint scramble(uint x) {
 }
 float unit(uint x) { return float(scramble(x) >> 8u) / 16777216.0; }
 
-uvec4 texelOf(int strand, int point) {
-  int at = strand * perStrand + clamp(point, 0, perStrand - 1);
-  return texelFetch(strandPoints, ivec2(at & ${(1 << ROW_BITS) - 1}, at >> ${ROW_BITS}), 0);
-}
+int numberOf(int strand, int point) { return strand * perStrand + clamp(point, 0, perStrand - 1); }
+ivec2 cellOf(int number) { return ivec2(number & ${(1 << ROW_BITS) - 1}, number >> ${ROW_BITS}); }
+uvec4 texelOf(int strand, int point) { return texelFetch(strandPoints, cellOf(numberOf(strand, point)), 0); }
 vec3 placeOf(uvec4 texel) { return boxLow + boxSize * (vec3(texel.xyz) / 65535.0); }
+// From the point before to the point after; zero where a strand has no length.
+vec3 alongOf(int strand, int point) {
+  return placeOf(texelOf(strand, point + 1)) - placeOf(texelOf(strand, point - 1));
+}
+`;
+
+/** A strand's ribbon: two vertices per point, turned towards the eye, never thinner than a pixel. */
+export const RIBBON = /* glsl */ `
+${STRAND_POINTS}
+uniform float rootWidth;  // drawn units
+uniform float taper;      // tip's width as a share of the root's
+uniform float pixels;     // height of the picture
+
+struct Ribbon {
+  vec3 place;
+  float cover;  // true width over drawn width
+};
 
 // corner.x: side −1 or 1; corner.y: point
 Ribbon ribbonAt(vec2 corner, int strand, mat4 view, mat4 projection) {
   int i = int(corner.y);
-  uvec4 here = texelOf(strand, i);
-  vec3 place = placeOf(here);
-  vec3 along = placeOf(texelOf(strand, i + 1)) - placeOf(texelOf(strand, i - 1));
-  vec3 tangent = along / max(length(along), 1e-9);
+  vec3 place = placeOf(texelOf(strand, i));
+  vec3 along = alongOf(strand, i);
   bool flat_ = projection[3][3] == 1.0;
   vec3 back = vec3(view[0][2], view[1][2], view[2][2]);
   vec3 eye = -(transpose(mat3(view)) * view[3].xyz);
-  vec3 towards = flat_ ? back : normalize(eye - place);
-  vec3 across = cross(tangent, towards);
+  vec3 across = cross(along, flat_ ? back : eye - place);
   float size = length(across);
-  across = size > 1e-4 ? across / size : normalize(vec3(view[0][0], view[1][0], view[2][0]));
-  float t = corner.y / float(perStrand - 1);
-  float width = rootWidth * mix(1.0, taper, t);
+  across = size > 1e-9 ? across / size : vec3(view[0][0], view[1][0], view[2][0]);
+  float width = rootWidth * mix(1.0, taper, corner.y / float(perStrand - 1));
   float depth = -(view * vec4(place, 1.0)).z;
   float pixel = 2.0 * (flat_ ? 1.0 : max(depth, 1e-4)) / (projection[1][1] * pixels);
-  float drawn = max(width, pixel);
   // A strand without length has no direction: it is not drawn.
-  if (dot(along, along) == 0.0) drawn = 0.0;
-  Ribbon r;
-  r.place = place + 0.5 * drawn * corner.x * across;
-  r.tangent = tangent;
-  r.along = t;
-  r.cover = min(1.0, width / pixel);
-  r.seed = uint(strand);
-  r.group = here.w;
-  return r;
+  float drawn = dot(along, along) == 0.0 ? 0.0 : max(width, pixel);
+  return Ribbon(place + 0.5 * drawn * corner.x * across, min(1.0, width / pixel));
 }
 `;
 
