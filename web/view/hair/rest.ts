@@ -4,8 +4,9 @@ import { jitter, StillPicture } from './still';
 /** Nothing has moved for so many ms: the picture may be perfected. */
 const CALM = 150;
 const PICTURES = 32;
-/** A slow machine stops after so many ms, with what it has. */
+/** A slow machine stops after so many ms, with the few it has. */
 const PATIENCE = 4000;
+const FEWEST = 4;
 
 /** While nothing moves, the picture converges; whatever stirs starts it over. */
 export class Rest {
@@ -44,7 +45,7 @@ export class Rest {
   draw(camera: PerspectiveCamera | OrthographicCamera, render: (frame: number) => void): void {
     this.#add(camera, render);
     const spent = performance.now() - this.#since;
-    this.#due = this.#still.count < PICTURES && spent < PATIENCE;
+    this.#due = this.#still.count < (spent < PATIENCE ? PICTURES : FEWEST);
     if (this.#due) this.request();
   }
 

@@ -1,5 +1,6 @@
 import {
   BufferAttribute,
+  DoubleSide,
   Group,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
@@ -75,6 +76,7 @@ function everyOther(ends: Float32Array, start: number): Float32Array {
 function material(opacity: number, front: boolean, arrows: boolean): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
+    side: DoubleSide,
     depthTest: front,
     depthWrite: false,
     toneMapped: false,
