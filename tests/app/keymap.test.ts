@@ -64,10 +64,13 @@ describe('a key press as text', () => {
 });
 
 describe('the keymap', () => {
-  test('no shortcut has two owners', () => {
+  test('in no workspace does a shortcut have two owners', () => {
     const { commands } = new Tab().app;
-    const keys = commands.all.flatMap(({ keys }) => keys ?? []);
-    expect(new Set(keys).size).toBe(keys.length);
+    for (const place of ['deform', 'hair']) {
+      const here = commands.all.filter(({ workspace = place }) => workspace === place);
+      const keys = here.flatMap(({ keys }) => keys ?? []);
+      expect(new Set(keys).size).toBe(keys.length);
+    }
   });
 
   test('what is remapped is remembered, and whoever had the key loses it', () => {

@@ -11,10 +11,12 @@
 
 import type { ReadonlySignal } from '@preact/signals';
 import type { VertexSet } from '../core/vertex-set';
-import type { DeformHandle, DeformStep } from '../recipe/recipe';
+import type { StrandFormat } from '../io/strands/options';
+import type { DeformHandle, DeformStep, HairStep } from '../recipe/recipe';
+import type { PrimitivePatch } from '../tools/hair/style';
 import type { ViewportPort } from '../view/types';
 import type { Commands } from './commands';
-import type { State, Toast } from './state';
+import type { State, Toast, WorkspaceId } from './state';
 
 export interface App {
   readonly state: State;
@@ -22,6 +24,8 @@ export interface App {
   readonly keymap: KeymapService;
   readonly document: DocumentService;
   readonly deform: DeformService;
+  readonly hair: HairService;
+  readonly workspaces: WorkspaceService;
   readonly files: FileService;
   readonly autosave: AutosaveService;
   readonly share: ShareService;
@@ -80,11 +84,56 @@ export interface DeformService {
   applyAndContinue(): void;
 }
 
+/** Fields of a hair step beside its curves; a group is patched field by field, `undefined` takes a field away. */
+export type HairPatch = {
+  readonly [G in 'grid' | 'strands' | 'length' | 'detail' | 'material']?: {
+    readonly [F in keyof HairStep[G]]?: HairStep[G][F] | undefined;
+  };
+} & { readonly volume?: number | undefined };
+
+/** Edits of the open hair step. Each call is one step of undo, except previews; primitives by their number. */
+export interface HairService {
+  select(primitive: number | null): void;
+  /** Name as shown: its own, else `Stream 1` … */
+  primitiveName(index: number): string;
+  rename(index: number, name: string): void;
+  hide(index: number, hidden: boolean): void;
+  remove(index: number): void;
+  duplicate(index: number): void;
+  /** Options of a primitive. `live` previews (slider held), then `finish`. */
+  setPrimitive(index: number, patch: PrimitivePatch, live?: boolean): void;
+  /** Count, length, detail, look … `live` previews, then `finish`. */
+  update(patch: HairPatch, live?: boolean): void;
+  finish(): void;
+  cancel(): void;
+  newSeed(): void;
+  /** Puts another built-in head under the style; strokes move along with the scalp. */
+  setHead(builtin: string): Promise<void>;
+  /** How many vertices hair grows from; 0 where a scalp is still to be painted. */
+  scalpSize(): number;
+  /** Head height of the open step, model units; 1 while none is open. Default lengths are parts of it. */
+  headHeight(): number;
+  rebuildSupport(): void;
+}
+
+export interface WorkspaceService {
+  /** Opens the last step of that kind, or starts one. */
+  enter(workspace: WorkspaceId): Promise<void>;
+  /** A hair step on the open model, whose scalp is to be painted. */
+  growHere(): void;
+}
+
 export type ExportFormat = 'obj' | 'ply' | 'stl' | 'glb';
 
 /** One line of the export dialog. */
 export interface ExportChoice {
   readonly format: ExportFormat;
+  readonly label: string;
+  readonly keeps: string;
+}
+
+export interface StrandChoice {
+  readonly format: StrandFormat;
   readonly label: string;
   readonly keeps: string;
 }
@@ -98,6 +147,9 @@ export interface FileService {
   saveAs(): Promise<void>;
   readonly exportChoices: readonly ExportChoice[];
   exportModel(format: ExportFormat): Promise<void>;
+  readonly strandChoices: readonly StrandChoice[];
+  /** The open hair step's strands, in centimetres. */
+  exportStrands(format: StrandFormat, guidesOnly: boolean): Promise<void>;
   screenshot(): Promise<void>;
 }
 
@@ -108,6 +160,8 @@ export interface GalleryEntry {
   readonly vertices: number;
   /** Address of the picture. */
   readonly thumbnail: string;
+  /** A head that hair grows on. */
+  readonly scalp?: boolean;
   /** Present for a finished example instead of a bare model. */
   readonly recipe?: string;
 }
@@ -176,8 +230,11 @@ export interface KeymapService {
   hint(command: string): string;
   /** The shortcut a key press stands for, `null` for a bare modifier. Used when remapping. */
   keyOf(event: KeyboardEvent): string | null;
-  /** @returns the command that holds `key` now, whose shortcut it would take */
-  ownerOf(key: string): string | null;
+  /**
+   * @param command  the one that would take the key; left out: any holder will do
+   * @returns the command that holds `key` now, whose shortcut it would take
+   */
+  ownerOf(key: string, command?: string): string | null;
   rebind(command: string, keys: readonly string[]): void;
   resetAll(): void;
 }

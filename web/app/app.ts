@@ -17,12 +17,16 @@ import { syncFigures } from './figures';
 import type { FileDialogs } from './file-dialogs';
 import { Files } from './files';
 import { Gallery } from './gallery';
+import { HairActions } from './hair/actions';
+import { AppHairHost } from './hair/host';
+import { syncHair } from './hair/view-sync';
+import { Workspaces } from './hair/workspaces';
 import { Keymap } from './keymap';
 import { Messages } from './messages';
 import { ModelStore } from './model-store';
 import { StoredSettings } from './settings';
 import { Share } from './share';
-import { State } from './state';
+import { State, TOOLS, type ToolId } from './state';
 import { statusText } from './status';
 import type { DocumentStore } from './store';
 import type { Claims } from './tab-claim';
@@ -76,6 +80,8 @@ export function buildApp(world: World): BuiltApp {
   const autosave = new Autosave({ ...world, state, document, models, messages });
   const desk = new Desk(state, document, runner, autosave, messages);
   const deform = new DeformActions(document, evaluator);
+  const hair = new HairActions({ state, document, evaluator, models, viewport });
+  const workspaces = new Workspaces({ state, document, desk, evaluator, messages });
   const files = new Files({
     state,
     document,
@@ -95,10 +101,14 @@ export function buildApp(world: World): BuiltApp {
   ];
 
   let cancelGesture = () => false;
+  let goBack = () => false;
   if (viewport) {
     const host = new AppDeformHost(viewport, state, document, evaluator);
-    const tools = new ToolSwitch(host, state, settings);
+    const hairHost = new AppHairHost({ viewport, state, document, evaluator, messages });
+    const tools = new ToolSwitch({ view: viewport, deform: host, hair: hairHost, state, settings });
     const view = syncView({ viewport, state, evaluator, host });
+    const stopHair = syncHair({ viewport, state, evaluator, host: hairHost });
+    goBack = () => tools.back();
     viewport.setPointerHandler(tools);
     cancelGesture = () => {
       const active = tools.busy || state.previewing.peek();
@@ -107,16 +117,20 @@ export function buildApp(world: World): BuiltApp {
       if (state.previewing.peek()) document.cancel();
       return active;
     };
-    stops.push(view.stop, () => viewport.setPointerHandler(null));
+    stops.push(view.stop, stopHair, () => viewport.setPointerHandler(null));
   }
 
-  const gestures = { cancel: () => cancelGesture() };
-  const context = { state, document, deform, files, settings, viewport, gestures };
-  const commands = new Commands(allCommands(context), failed);
+  const gestures = { cancel: () => cancelGesture(), back: () => goBack() };
+  const context = { state, document, deform, hair, workspaces, files, settings, viewport, gestures };
+  const commands = new Commands(allCommands(context), failed, () => state.workspace.value);
   const keymap = new Keymap(commands, settings, world.mac);
   stops.push(
     effect(() => {
       state.status.value = statusText(state, keymap);
+    }),
+    effect(() => {
+      const tools: readonly ToolId[] = TOOLS[state.workspace.value];
+      if (!tools.includes(state.tool.peek())) state.tool.value = tools[0]!;
     }),
     effect(() => {
       const { theme } = settings.values.value;
@@ -131,6 +145,8 @@ export function buildApp(world: World): BuiltApp {
     keymap,
     document,
     deform,
+    hair,
+    workspaces,
     files,
     autosave,
     share,

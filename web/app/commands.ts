@@ -2,8 +2,9 @@
 // The commands themselves are in commands/*.ts; keymap.ts decides which keys reach them.
 
 import type { MessageKey } from './i18n';
+import type { WorkspaceId } from './state';
 
-export type CommandGroup = 'file' | 'edit' | 'tool' | 'handle' | 'view' | 'help';
+export type CommandGroup = 'file' | 'edit' | 'tool' | 'handle' | 'hair' | 'view' | 'help';
 
 export interface Command {
   /** Stable: keymaps are stored under it. */
@@ -14,6 +15,8 @@ export interface Command {
   readonly icon?: string;
   /** Default shortcuts, as keymap.ts writes them: `Mod+Shift+Z`, `B`, `[`, `Delete`. `Mod` is Cmd on a Mac. */
   readonly keys?: readonly string[];
+  /** The only workspace it is of use in; absent: every one. Those of different ones may share shortcuts. */
+  readonly workspace?: WorkspaceId;
   /** Reads signals, so components that call it follow. Absent: always. */
   readonly enabled?: () => boolean;
   /** For a command that switches something: whether it is on now. */
@@ -30,6 +33,8 @@ export class Commands {
     commands: readonly Command[],
     /** Told of whatever a command throws. */
     private readonly failed: (error: unknown) => void,
+    /** The workspace that is open; reads signals. */
+    private readonly workspace: () => WorkspaceId = () => 'deform',
   ) {
     for (const command of commands) {
       if (this.#byId.has(command.id)) throw new Error(`command ${command.id} is registered twice`);
@@ -48,7 +53,13 @@ export class Commands {
   }
 
   isEnabled(id: string): boolean {
-    return this.get(id).enabled?.() ?? true;
+    const command = this.get(id);
+    return this.isAtHand(command) && (command.enabled?.() ?? true);
+  }
+
+  /** Whether it belongs to the open workspace. */
+  isAtHand({ workspace }: Command): boolean {
+    return workspace === undefined || workspace === this.workspace();
   }
 
   /** Runs the command unless it is disabled; a failure becomes a message, never an exception. */

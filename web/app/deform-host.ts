@@ -3,7 +3,8 @@
 import { signal } from '@preact/signals';
 import type { DeformStep } from '../recipe/recipe';
 import type { ModelResult } from '../run/types';
-import type { Brush, DeformEdit, DeformHost, DeformScene, EditLabel } from '../tools/deform/host';
+import type { Brush } from '../tools/brush-stroke';
+import type { DeformEdit, DeformHost, DeformScene, EditLabel } from '../tools/deform/host';
 import { MeshGraph } from '../tools/mesh-graph';
 import { Mirror } from '../tools/mirror';
 import type { RegionPaint, ViewportPort } from '../view/types';

@@ -9,7 +9,7 @@ import type { Autosave } from './autosave';
 import { type Document, openingSelection } from './document';
 import { factsOf } from './figures';
 import { t } from './i18n';
-import type { State } from './state';
+import { type State, TOOLS } from './state';
 
 export interface Opening {
   readonly recipe: Recipe;
@@ -41,9 +41,9 @@ export class Desk {
     this.autosave.begin({ own, link });
     this.state.title.value = title;
     this.state.hint.value = null;
-    this.state.tool.value = 'select';
     this.state.importReport.value = null;
     this.document.replace(recipe, t('history.open', { name: title }), selection);
+    this.state.tool.value = TOOLS[this.state.workspace.value][0];
     if (own) this.autosave.touch();
     if (!imported || !input) return;
     const findings = [...imported, ...input.opened.findings];

@@ -4,10 +4,12 @@
 import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import { isCancelled } from '../core/errors';
 import { Latest } from '../core/latest';
+import type { Strands } from '../core/strands';
 import { stepById } from '../recipe/edit';
-import type { Recipe, Step } from '../recipe/recipe';
-import type { Runner } from '../run/evaluate';
+import type { HairStep, Recipe, Step } from '../recipe/recipe';
+import type { Runner, RunOptions } from '../run/evaluate';
 import type { ModelResult, StepReport } from '../run/types';
+import { growsAlike, runHair, sameHead, withLook } from './hair/evaluation';
 import { t } from './i18n';
 import type { State } from './state';
 
@@ -19,9 +21,11 @@ export interface Evaluation {
   readonly step: Step;
   readonly input: ModelResult;
   readonly positions: Float64Array;
-  /** `null` for a step without handles: it leaves its input as it is. */
+  /** Of a hair step. */
+  readonly strands: Strands | null;
+  /** `null` for a step that does nothing yet: no handles, no scalp. */
   readonly report: StepReport | null;
-  /** False while a gesture is under way. */
+  /** False while a gesture is under way, and for hair while only its first strands are grown. */
   readonly settled: boolean;
   /** Milliseconds from request to result. */
   readonly elapsed: number;
@@ -96,8 +100,7 @@ export class Evaluator {
     // Where only the selection changed, nothing is to be computed.
     if (last && last.recipe === request.recipe && last.step === request.step && last.live === request.live)
       return;
-    // A factorization for handles that are no longer asked for is not worth waiting for.
-    if (last && !sameSession(last, request)) this.#runs.cancel();
+    if (last && !worthWaiting(last, request)) this.#runs.cancel();
     this.#last = request;
     this.#runs.push(request);
   }
@@ -105,31 +108,62 @@ export class Evaluator {
   async #evaluate(request: Request, signal: AbortSignal): Promise<Evaluation> {
     const { recipe, step, live } = request;
     const started = performance.now();
-    const busy = this.#busy();
+    const busy = this.#busy(t(step.type === 'hair' ? 'busy.growing' : 'busy.preparing'));
     try {
-      const outcome = await this.#run(request, signal, busy.progress);
-      const elapsed = performance.now() - started;
+      const options = { signal, onProgress: busy.progress };
+      const finished = (outcome: Outcome, settled = !live): Evaluation => ({
+        ...outcome,
+        recipe,
+        step,
+        settled,
+        elapsed: performance.now() - started,
+      });
+      if (step.type === 'hair') return await this.#grow(step, request, options, finished);
+      const outcome = await this.#run(request, options);
       const { solve = 0, rotate = 0, reconstruct = 0 } = outcome.report?.seconds ?? {};
       if (!live) this.#settledTime = 1000 * (solve + rotate + reconstruct);
-      return { ...outcome, recipe, step, settled: !live, elapsed };
+      return finished(outcome);
     } finally {
       busy.end();
     }
   }
 
-  async #run({ recipe, step, live }: Request, signal: AbortSignal, onProgress: (fraction: number) => void) {
+  async #run({ recipe, step, live }: Request, options: RunOptions): Promise<Outcome> {
+    const { signal } = options;
     if (step.type === 'deform' && step.handles.length === 0) {
-      const input = await this.runner.input(recipe, step.id, { signal });
-      return { input, positions: input.model.positions, report: null };
+      const input = await this.runner.input(recipe, step.id, signal ? { signal } : {});
+      return { input, positions: input.model.positions, strands: null, report: null };
     }
     const settle = !live || this.#settledTime <= FRAME_BUDGET;
-    const results = await this.runner.run(recipe, { until: step.id, signal, onProgress, settle });
+    const results = await this.runner.run(recipe, { ...options, until: step.id, settle });
     const { input, model, report } = results.get(step.id)!;
-    return { input, positions: model.positions, report };
+    return { input, positions: model.positions, strands: null, report };
+  }
+
+  /** The first strands at once, all of them when the hand is still. */
+  async #grow(
+    step: HairStep,
+    { recipe, live }: Request,
+    options: RunOptions,
+    finished: (outcome: Outcome, settled?: boolean) => Evaluation,
+  ): Promise<Evaluation> {
+    const shown = this.#result.peek();
+    const alike =
+      shown?.step.type === 'hair' && growsAlike(shown.step, step) && sameBefore(shown.recipe, recipe, step);
+    if (alike && (live || shown.settled)) {
+      const strands = shown.strands && withLook(shown.strands, step.material);
+      return finished({ ...shown, strands }, shown.settled);
+    }
+    if (live || !alike) {
+      const first = await runHair(this.runner, recipe, step, { ...options, settle: false });
+      if (live || !first.strands) return finished(first);
+      if (!options.signal?.aborted) this.#result.value = finished(first, false);
+    }
+    return finished(await runHair(this.runner, recipe, step, { ...options, settle: true }));
   }
 
   /** Shows progress once the work has taken long enough to be noticed. */
-  #busy() {
+  #busy(label: string) {
     let fraction: number | null = null;
     let shown = false;
     const cancel = () => {
@@ -138,7 +172,7 @@ export class Evaluator {
     };
     const show = () => {
       shown = true;
-      this.state.busy.value = { label: t('busy.preparing'), fraction, cancel };
+      this.state.busy.value = { label, fraction, cancel };
     };
     const timer = setTimeout(show, PATIENCE);
     return {
@@ -152,6 +186,17 @@ export class Evaluator {
       },
     };
   }
+}
+
+type Outcome = Pick<Evaluation, 'input' | 'positions' | 'strands' | 'report'>;
+
+/**
+ * Whether what may still be under way is of use for the next request: a factorization for handles that are no
+ * longer asked for is not, nor are all the strands of a style that has changed since.
+ */
+function worthWaiting(last: Request, next: Request): boolean {
+  if (last.step.type !== 'hair' || next.step.type !== 'hair') return sameSession(last, next);
+  return last.live && sameHead(last.step, next.step) && sameBefore(last.recipe, next.recipe, next.step);
 }
 
 /** Whether both need the same factorization: only where the handles go differs. */

@@ -9,6 +9,7 @@ import type { Runner } from '../run/evaluate';
 import type { ModelResult } from '../run/types';
 import { pointAt, transform } from '../tools/geometry';
 import type { Evaluation, Evaluator } from './evaluation';
+import { hairFigures } from './hair/figures';
 import type { ModelFacts, State, WhatItDid } from './state';
 
 export const factsOf = ({ model, opened }: Pick<ModelResult, 'model' | 'opened'>): ModelFacts => ({
@@ -65,6 +66,7 @@ function publish(state: State, evaluation: Evaluation | null): void {
     state.whatItDid.value = null;
     state.stretch.value = null;
     state.warnings.value = [];
+    state.hair.figures.value = null;
     return;
   }
   const { input, report, settled, elapsed } = evaluation;
@@ -84,8 +86,10 @@ function publish(state: State, evaluation: Evaluation | null): void {
     solve: report ? 1000 * (solve + rotate + reconstruct) : null,
     drag: settled ? old.drag : elapsed,
   };
+  const isHair = evaluation.step.type === 'hair';
+  state.hair.figures.value = isHair ? hairFigures(evaluation, state.hair.figures.peek()) : null;
   state.warnings.value = report?.warnings ?? [];
-  if (!report) {
+  if (!report || isHair) {
     state.whatItDid.value = null;
     state.stretch.value = null;
   }

@@ -4,6 +4,7 @@
 import { LissomError } from '../core/errors';
 import { type Model, withPositions } from '../core/model';
 import { readModel, readProject, writeModel, writeProject } from '../io/index';
+import type { StrandFormat } from '../io/strands/options';
 import { newDeformStep, uniqueName } from '../recipe/edit';
 import { formatRecipe } from '../recipe/format';
 import { parseRecipe } from '../recipe/parse';
@@ -14,6 +15,7 @@ import type { Desk } from './desk';
 import type { Document } from './document';
 import type { Evaluator } from './evaluation';
 import type { FileDialogs } from './file-dialogs';
+import { STRAND_MIME, strandChoices, strandsFile } from './hair/export';
 import { t } from './i18n';
 import type { ModelStore } from './model-store';
 import type { State } from './state';
@@ -48,6 +50,8 @@ export class Files implements FileService {
     label: t(`export.${format}`),
     keeps: t(`export.${format}.keeps`),
   }));
+
+  readonly strandChoices = strandChoices();
 
   constructor(private readonly parts: FileParts) {}
 
@@ -176,6 +180,29 @@ export class Files implements FileService {
         mimeType: MIME[format],
       });
       messages.toast('good', exported(handle?.name ?? fileName, model, bytes));
+    } finally {
+      state.busy.value = null;
+    }
+  }
+
+  async exportStrands(format: StrandFormat, guidesOnly: boolean): Promise<void> {
+    const { state, evaluator, dialogs, messages } = this.parts;
+    await evaluator.settled();
+    const shown = evaluator.result.peek();
+    if (!shown) throw new LissomError('no-model', t('error.no-model'));
+    const fileName = `${this.#title}.${format}`;
+    state.busy.value = { label: t('busy.writing', { name: fileName }), fraction: null, cancel: null };
+    // The sentence is drawn before the page is busy with the file.
+    await new Promise((drawn) => setTimeout(drawn, 30));
+    try {
+      const bytes = strandsFile(shown, this.#title, format, guidesOnly);
+      const handle = await dialogs.save(new Blob([bytes as BlobPart]), {
+        fileName,
+        extension: `.${format}`,
+        description: t(`export.strands.${format}`),
+        mimeType: STRAND_MIME[format],
+      });
+      messages.toast('good', t('toast.saved', { name: handle?.name ?? fileName }));
     } finally {
       state.busy.value = null;
     }

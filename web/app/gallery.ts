@@ -15,6 +15,7 @@ interface Index {
     readonly title: string;
     readonly licence: string;
     readonly vertices: number;
+    readonly scalp?: boolean;
   }[];
   readonly examples: readonly {
     readonly name: string;
@@ -57,11 +58,12 @@ export class Gallery implements GalleryService {
       const { licence = '', vertices = 0 } = models.find((each) => each.name === model) ?? {};
       return { name, title, licence, vertices, thumbnail: thumbnail(name), recipe: file };
     });
-    const bare = models.map(({ name, title, licence, vertices }) => ({
+    const bare = models.map(({ name, title, licence, vertices, scalp = false }) => ({
       name,
       title,
       licence,
       vertices,
+      scalp,
       thumbnail: thumbnail(name),
     }));
     this.#entries.value = [...finished, ...bare];

@@ -28,16 +28,21 @@ export class Keymap implements KeymapService {
     return keyOf(press, this.mac);
   }
 
-  ownerOf(key: string): string | null {
-    return this.commands.all.find(({ id }) => this.keys(id).includes(key))?.id ?? null;
+  ownerOf(key: string, command?: string): string | null {
+    const place = command === undefined ? undefined : this.commands.get(command).workspace;
+    const owner = this.commands.all.find(
+      (each) => each.id !== command && this.keys(each.id).includes(key) && meet(each.workspace, place),
+    );
+    return owner?.id ?? null;
   }
 
-  /** A shortcut has one owner: whoever held one of `keys` loses it. */
+  /** A shortcut has one owner in each workspace: whoever held one of `keys` loses it. */
   rebind(command: string, keys: readonly string[]): void {
+    const place = this.commands.get(command).workspace;
     const changed: Record<string, readonly string[]> = { ...this.settings.values.value.keys };
-    for (const { id } of this.commands.all) {
+    for (const { id, workspace } of this.commands.all) {
       const held = this.keys(id);
-      if (id !== command && held.some((key) => keys.includes(key)))
+      if (id !== command && meet(workspace, place) && held.some((key) => keys.includes(key)))
         changed[id] = held.filter((key) => !keys.includes(key));
     }
     this.settings.update({ keys: { ...changed, [command]: keys } });
@@ -51,11 +56,17 @@ export class Keymap implements KeymapService {
   commandFor(press: KeyPress, focused: Focused | null): string | null {
     const key = this.keyOf(press);
     if (key === null || ownsKey(focused, key) || !this.#isOn(key)) return null;
-    const owner = this.ownerOf(key);
-    return owner !== null && this.commands.isEnabled(owner) ? owner : null;
+    const owner = this.commands.all.find(
+      (command) => this.commands.isAtHand(command) && this.keys(command.id).includes(key),
+    );
+    return owner && this.commands.isEnabled(owner.id) ? owner.id : null;
   }
 
   #isOn(key: string): boolean {
     return this.settings.values.value.singleKeys || !isSingleKey(key);
   }
 }
+
+/** Whether commands of the two workspaces can be at hand at once; `undefined` is every one. */
+const meet = (a: string | undefined, b: string | undefined): boolean =>
+  a === undefined || b === undefined || a === b;

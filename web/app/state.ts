@@ -5,12 +5,20 @@ import { computed, type ReadonlySignal, type Signal, signal } from '@preact/sign
 import type { Finding } from '../core/errors';
 import type { Model } from '../core/model';
 import { deformStepById } from '../recipe/edit';
-import type { DeformStep, Recipe } from '../recipe/recipe';
+import type { DeformStep, HairStep, Recipe } from '../recipe/recipe';
 import type { DisplayOptions, GizmoMode } from '../view/types';
+import { HairState } from './hair/state';
+import { hairStepById } from './hair/steps';
 import type { MessageKey } from './i18n';
 
-export type WorkspaceId = 'deform' | 'hair' | 'merge';
-export type ToolId = 'select' | 'paint-roi' | 'paint-handle' | 'point-handle';
+export type WorkspaceId = 'deform' | 'hair';
+
+/** The tools of each workspace; the first is the one that Escape leads back to. */
+export const TOOLS = {
+  deform: ['select', 'paint-roi', 'paint-handle', 'point-handle'],
+  hair: ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp'],
+} as const satisfies Readonly<Record<WorkspaceId, readonly string[]>>;
+export type ToolId = (typeof TOOLS)[WorkspaceId][number];
 export type DialogId =
   | 'gallery'
   | 'export'
@@ -25,7 +33,7 @@ export type DialogId =
 export interface Selection {
   /** Id of the open step; `''` while the recipe has none. */
   readonly step: string;
-  /** Index into the open step's handles. */
+  /** Index into the open step's handles; in a hair step into its streams, partings and ponytails, in this order. */
   readonly handle: number | null;
 }
 
@@ -124,8 +132,15 @@ export class State {
     deformStepById(this.recipe.value, this.selection.value.step),
   );
 
+  /** The open step while it is one that grows hair. */
+  readonly hairStep: ReadonlySignal<HairStep | undefined> = computed(() =>
+    hairStepById(this.recipe.value, this.selection.value.step),
+  );
+
   // The workspace
-  readonly workspace = signal<WorkspaceId>('deform');
+  /** That of the open step. */
+  readonly workspace: ReadonlySignal<WorkspaceId> = computed(() => (this.hairStep.value ? 'hair' : 'deform'));
+  readonly hair = new HairState();
   readonly tool = signal<ToolId>('select');
   readonly gizmo = signal<GizmoMode>('translate');
   /** Brush radius in CSS pixels. */

@@ -1,6 +1,7 @@
 // The status bar's sentence: what a click and a drag do now, and which keys matter.
 
 import type { KeymapService } from './api';
+import { hairStatus } from './hair/status';
 import { t } from './i18n';
 import type { State } from './state';
 
@@ -8,6 +9,7 @@ import type { State } from './state';
 export function statusText(state: State, keymap: KeymapService): string {
   const key = (command: string): string => keymap.hint(command);
   if (!state.model.value) return t('status.no-model', { open: key('file.open') });
+  if (state.workspace.value === 'hair') return hairStatus(state, key);
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   switch (state.tool.value) {
     case 'select':

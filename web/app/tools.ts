@@ -4,27 +4,51 @@ import type { DeformHost } from '../tools/deform/host';
 import { paintHandle, paintRoi } from '../tools/deform/paint-tool';
 import { PointTool } from '../tools/deform/point-tool';
 import { SelectTool } from '../tools/deform/select-tool';
+import type { HairHost } from '../tools/hair/host';
+import { PartingTool } from '../tools/hair/parting-tool';
+import { PonytailTool } from '../tools/hair/ponytail-tool';
+import { paintScalp, type ScalpHost } from '../tools/hair/scalp-tool';
+import { HairSelectTool, HintTool } from '../tools/hair/select-tool';
+import { StreamTool } from '../tools/hair/stream-tool';
 import type { Tool } from '../tools/tool';
-import type { PointerHandler, PointerSample } from '../view/types';
+import type { PointerHandler, PointerSample, ViewportPort } from '../view/types';
 import type { SettingsService } from './api';
 import type { State, ToolId } from './state';
 
+interface Parts {
+  readonly view: Pick<ViewportPort, 'setBrush'>;
+  readonly deform: DeformHost;
+  readonly hair: HairHost & ScalpHost;
+  readonly state: Pick<State, 'tool'>;
+  readonly settings: SettingsService;
+}
+
 export class ToolSwitch implements PointerHandler {
   readonly #tools: Readonly<Record<ToolId, Tool>>;
+  readonly #ponytail: PonytailTool;
   /** The tool that has the gesture under way. */
   #held: Tool | null = null;
 
-  constructor(
-    private readonly host: DeformHost,
-    private readonly state: Pick<State, 'tool'>,
-    private readonly settings: SettingsService,
-  ) {
+  constructor(private readonly parts: Parts) {
+    const { deform, hair } = parts;
+    this.#ponytail = new PonytailTool(hair);
     this.#tools = {
-      select: new SelectTool(host),
-      'paint-roi': paintRoi(host),
-      'paint-handle': paintHandle(host),
-      'point-handle': new PointTool(host),
+      select: new SelectTool(deform),
+      'paint-roi': paintRoi(deform),
+      'paint-handle': paintHandle(deform),
+      'point-handle': new PointTool(deform),
+      'hair-select': new HairSelectTool(hair),
+      stream: new StreamTool(hair),
+      hint: new HintTool(hair),
+      parting: new PartingTool(hair),
+      ponytail: this.#ponytail,
+      'paint-scalp': paintScalp(hair),
     };
+  }
+
+  /** Takes back the last stroke of what the tool builds in several. @returns whether there was one */
+  back(): boolean {
+    return this.parts.state.tool.peek() === 'ponytail' && this.#ponytail.back();
   }
 
   /** Whether a gesture is under way. */
@@ -33,8 +57,8 @@ export class ToolSwitch implements PointerHandler {
   }
 
   down(sample: PointerSample): boolean {
-    if (sample.pointerType === 'touch' && this.settings.values.peek().penOnly) return false;
-    const tool = this.#tools[this.state.tool.peek()];
+    if (sample.pointerType === 'touch' && this.parts.settings.values.peek().penOnly) return false;
+    const tool = this.#tools[this.parts.state.tool.peek()];
     if (!tool.down(sample)) return false;
     this.#held = tool;
     return true;
@@ -51,11 +75,12 @@ export class ToolSwitch implements PointerHandler {
   }
 
   hover(sample: PointerSample): void {
-    this.#tools[this.state.tool.peek()].hover(sample);
+    this.#tools[this.parts.state.tool.peek()].hover(sample);
   }
 
   leave(): void {
-    this.host.view.setBrush(null);
+    this.#tools[this.parts.state.tool.peek()].leave();
+    this.parts.view.setBrush(null);
   }
 
   cancel(): void {

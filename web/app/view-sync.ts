@@ -49,7 +49,7 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
       const evaluation = evaluator.result.value;
       const step = state.step.value;
       const { handle: selected } = state.selection.value;
-      if (!evaluation) drawn = { on: null, regions: [] };
+      if (evaluation?.step.type !== 'deform') drawn = { on: null, regions: [] };
       if (!evaluation || !step || evaluation.step.id !== step.id) return;
       const count = evaluation.input.model.positions.length / 3;
       const stroke = host.paint.value;

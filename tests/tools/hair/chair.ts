@@ -1,6 +1,7 @@
 // A head to try hair tools on: a ball of radius 100 about the origin, one CSS pixel a model unit, seen in
 // parallel from the front (+z), or from the right side (+x).
 
+import { newHairStep } from '../../../web/recipe/steps/hair';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '../../../web/tools/hair/host';
 import { REACH } from '../../../web/tools/hair/measures';
 import { nearestOn } from '../../../web/tools/hair/polyline';
@@ -19,14 +20,7 @@ import type { CameraState, Hit, PointerSample, Vec3 } from '../../../web/view/ty
 export const RADIUS = 100;
 const MIDDLE = 200;
 
-export const emptyHair: HairScene['step'] = {
-  id: 'hair 1',
-  type: 'hair',
-  model: 'ball',
-  streams: [],
-  partings: [],
-  ponytails: [],
-};
+export const emptyHair = newHairStep('hair 1', 'ball');
 
 export type XY = readonly [number, number];
 

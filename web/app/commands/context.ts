@@ -1,5 +1,5 @@
 import type { ViewportPort } from '../../view/types';
-import type { DeformService, FileService, SettingsService } from '../api';
+import type { DeformService, FileService, HairService, SettingsService, WorkspaceService } from '../api';
 import type { Document } from '../document';
 import type { State } from '../state';
 
@@ -8,11 +8,15 @@ export interface CommandContext {
   readonly state: State;
   readonly document: Document;
   readonly deform: DeformService;
+  readonly hair: HairService;
+  readonly workspaces: WorkspaceService;
   readonly files: FileService;
   readonly settings: SettingsService;
   readonly viewport: ViewportPort | null;
   readonly gestures: {
     /** Ends a gesture under way without a trace. @returns whether there was one */
     cancel(): boolean;
+    /** Takes back the last stroke of something that is built in several. @returns whether there was one */
+    back(): boolean;
   };
 }

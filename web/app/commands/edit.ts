@@ -1,4 +1,5 @@
 import type { Command } from '../commands';
+import { TOOLS } from '../state';
 import type { CommandContext } from './context';
 
 export const editCommands = ({ state, document, gestures }: CommandContext): Command[] => [
@@ -31,8 +32,9 @@ export const editCommands = ({ state, document, gestures }: CommandContext): Com
     keys: ['Escape'],
     hidden: true,
     run: () => {
-      if (gestures.cancel()) return;
-      if (state.tool.value !== 'select') state.tool.value = 'select';
+      if (gestures.cancel() || gestures.back()) return;
+      const [home] = TOOLS[state.workspace.value];
+      if (state.tool.value !== home) state.tool.value = home;
       else document.select(null);
     },
   },

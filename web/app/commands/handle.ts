@@ -5,6 +5,7 @@ import type { CommandContext } from './context';
 
 export function handleCommands({ state, deform, document }: CommandContext): Command[] {
   const group = 'handle';
+  const workspace = 'deform';
   const index = () => state.selection.value.handle;
   const selected = () => index() !== null;
   const count = () => state.step.value?.handles.length ?? 0;
@@ -19,6 +20,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
   const gizmo = (mode: GizmoMode, name: 'move' | 'rotate' | 'scale', icon: string, key: string): Command => ({
     id: `gizmo.${name}`,
     group,
+    workspace,
     title: `command.gizmo.${name}` satisfies MessageKey,
     icon,
     keys: [key],
@@ -32,6 +34,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.new',
       group,
+      workspace,
       title: 'command.handle.new',
       icon: 'plus',
       keys: ['N'],
@@ -44,6 +47,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.delete',
       group,
+      workspace,
       title: 'command.handle.delete',
       icon: 'trash-2',
       keys: ['Delete', 'Backspace'],
@@ -53,6 +57,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.hide',
       group,
+      workspace,
       title: 'command.handle.hide',
       icon: 'eye-off',
       enabled: selected,
@@ -61,6 +66,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.reset',
       group,
+      workspace,
       title: 'command.handle.reset',
       icon: 'rotate-ccw',
       enabled: selected,
@@ -69,6 +75,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.deselect',
       group,
+      workspace,
       title: 'command.handle.deselect',
       enabled: selected,
       run: () => document.select(null),
@@ -76,6 +83,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.next',
       group,
+      workspace,
       title: 'command.handle.next',
       keys: ['.'],
       enabled: () => count() > 0,
@@ -84,6 +92,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'handle.previous',
       group,
+      workspace,
       title: 'command.handle.previous',
       keys: [','],
       enabled: () => count() > 0,
@@ -95,6 +104,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     {
       id: 'step.apply',
       group,
+      workspace,
       title: 'command.step.apply',
       icon: 'check',
       keys: ['Mod+Enter'],

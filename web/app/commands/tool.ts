@@ -1,6 +1,6 @@
 import type { Command } from '../commands';
 import type { MessageKey } from '../i18n';
-import type { ToolId } from '../state';
+import type { TOOLS } from '../state';
 import type { CommandContext } from './context';
 
 /** Each press of [ or ] changes the brush by this factor. */
@@ -10,9 +10,11 @@ const LARGEST = 400;
 
 export function toolCommands({ state, deform, gestures }: CommandContext): Command[] {
   const group = 'tool';
-  const tool = (id: ToolId, icon: string, keys: readonly string[]): Command => ({
+  const workspace = 'deform';
+  const tool = (id: (typeof TOOLS)['deform'][number], icon: string, keys: readonly string[]): Command => ({
     id: `tool.${id}`,
     group,
+    workspace,
     title: `command.tool.${id}` satisfies MessageKey,
     icon,
     keys,
@@ -60,6 +62,7 @@ export function toolCommands({ state, deform, gestures }: CommandContext): Comma
     {
       id: 'brush.mirror',
       group,
+      workspace,
       title: 'command.brush.mirror',
       icon: 'flip-horizontal-2',
       keys: ['M'],
@@ -71,6 +74,7 @@ export function toolCommands({ state, deform, gestures }: CommandContext): Comma
     {
       id: 'roi.everything',
       group,
+      workspace,
       title: 'command.roi.everything',
       icon: 'maximize',
       keys: ['A'],
@@ -80,6 +84,7 @@ export function toolCommands({ state, deform, gestures }: CommandContext): Comma
     {
       id: 'roi.clear',
       group,
+      workspace,
       title: 'command.roi.clear',
 
       enabled: () => state.step.value !== undefined,

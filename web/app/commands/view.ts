@@ -72,6 +72,7 @@ export function viewCommands({ state, settings, viewport }: CommandContext): Com
     {
       id: 'view.heat',
       group,
+      workspace: 'deform',
       title: 'command.view.heat',
       icon: 'thermometer',
       keys: ['T'],

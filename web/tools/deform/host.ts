@@ -1,9 +1,9 @@
 import type { DeformStep } from '../../recipe/recipe';
-import type { RegionPaint, ViewportPort } from '../../view/types';
-import type { MeshGraph } from '../mesh-graph';
+import type { ViewportPort } from '../../view/types';
+import type { PaintHost, PaintScene } from '../brush-stroke';
 
 /** The open deform step and the shape it works on, as tools read them. */
-export interface DeformScene {
+export interface DeformScene extends PaintScene {
   /** The committed step: what a gesture starts from. */
   readonly step: DeformStep;
   /** Index of the selected handle. */
@@ -12,9 +12,6 @@ export interface DeformScene {
   readonly rest: Float64Array;
   /** What is on screen, same vertices. */
   readonly posed: Float64Array;
-  readonly graph: MeshGraph;
-  /** The set together with what lies across the symmetry plane, when mirroring is on; else the set. */
-  readonly mirrored: (vertices: Uint32Array) => Uint32Array;
 }
 
 /** What an edit is called in the history; `name` is the handle's. */
@@ -36,23 +33,16 @@ export interface DeformEdit {
   readonly selected: number | null;
 }
 
-export interface Brush {
-  /** CSS pixels. */
-  readonly radius: number;
-  readonly erase: boolean;
-}
-
 type ToolView = Pick<
   ViewportPort,
   'pick' | 'pickMarker' | 'verticesWithin' | 'pointOnScreenPlane' | 'pixelSize' | 'setBrush'
 >;
 
 /** What deform tools need of the app: one scene in, edits out. Tests use doubles. */
-export interface DeformHost {
+export interface DeformHost extends PaintHost {
   readonly view: ToolView;
   /** `null` while no model is open. */
   scene(): DeformScene | null;
-  brush(): Brush;
   /** A name for the next new handle. */
   newName(step: DeformStep): string;
   /** Shows an edit under way; nothing is history yet. */
@@ -62,8 +52,6 @@ export interface DeformHost {
   /** Drops the preview: as if the gesture had never begun. */
   cancel(): void;
   select(handle: number | null): void;
-  /** Shows a stroke under way without computing anything; `null` ends it. */
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void;
 }
 
 /** Ids of markers in the view: the handle's index. */

@@ -1,7 +1,7 @@
+import type { HairStep } from '../../recipe/recipe';
 import type { StyleCurve } from '../../view/hair/types';
 import type { ViewportPort } from '../../view/types';
 import type { Line } from './polyline';
-import type { HairStep } from './step';
 import type { SupportSurface } from './support';
 
 /** The open hair step and the head it works on, as tools read them. */
@@ -31,13 +31,7 @@ export type HairEditLabel =
   | 'ponytail-back';
 
 /** What a tool has to say about a stroke that came to nothing. */
-export type HairRemark =
-  | 'too-short'
-  | 'not-on-head'
-  | 'leaves-head'
-  | 'not-a-hint'
-  | 'nothing-left'
-  | 'tail-too-thin';
+export type HairRemark = 'too-short' | 'not-a-hint' | 'nothing-left' | 'tail-too-thin';
 
 export interface HairEdit {
   readonly step: HairStep;

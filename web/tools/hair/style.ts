@@ -1,8 +1,8 @@
 // The primitives of a hair step: which there are, how they are numbered, what curves they are made of.
 
+import type { HairStep } from '../../recipe/recipe';
 import type { StyleCurve } from '../../view/hair/types';
 import type { Vec3 } from '../../view/types';
-import type { HairStep } from './step';
 
 export type Point = [number, number, number];
 export type Stream = HairStep['streams'][number];

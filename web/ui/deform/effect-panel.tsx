@@ -1,8 +1,8 @@
-import { t, tCode } from '../../app/i18n';
+import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { CommandButton } from '../controls/command-button';
-import { Icon } from '../controls/icon';
 import { Section } from '../controls/section';
+import { Warnings } from '../shell/warnings';
 
 /** `+31 %`, `−40 %`, and plain `0 %` for what did not change. */
 function signed(value: number, digits: number): string {
@@ -44,12 +44,7 @@ export function EffectPanel() {
           )}
         </dl>
       )}
-      {warnings.map((warning) => (
-        <p key={warning.code} class="note warn">
-          <Icon name="triangle-alert" />
-          {tCode('finding.', warning.code, 'finding.unknown', { count: warning.count })}
-        </p>
-      ))}
+      <Warnings />
     </Section>
   );
 }

@@ -3,7 +3,7 @@ import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Dialog } from '../controls/dialog';
 
-const GROUPS: readonly CommandGroup[] = ['tool', 'handle', 'edit', 'view', 'file', 'help'];
+const GROUPS: readonly CommandGroup[] = ['tool', 'handle', 'hair', 'edit', 'view', 'file', 'help'];
 
 /** The keyboard map, made from the command registry. */
 export function HelpDialog({ onClose }: { onClose: () => void }) {
@@ -21,7 +21,12 @@ export function HelpDialog({ onClose }: { onClose: () => void }) {
             <h3>{t(`ui.group.${group}`)}</h3>
             <dl>
               {commands.all
-                .filter((command) => command.group === group && keymap.keys(command.id).length > 0)
+                .filter(
+                  (command) =>
+                    command.group === group &&
+                    commands.isAtHand(command) &&
+                    keymap.keys(command.id).length > 0,
+                )
                 .map((command) => (
                   <div key={command.id}>
                     <dt>{t(command.title)}</dt>

@@ -87,8 +87,8 @@ function KeyButton({ command }: { command: string }) {
           }
           const key = keymap.keyOf(event);
           if (!key) return;
-          const owner = keymap.ownerOf(key);
-          if (owner && owner !== command) {
+          const owner = keymap.ownerOf(key, command);
+          if (owner) {
             keymap.rebind(
               owner,
               keymap.keys(owner).filter((held) => held !== key),

@@ -1,22 +1,17 @@
+import type { ComponentType } from 'preact';
 import { t } from '../../app/i18n';
-import { EffectPanel } from '../deform/effect-panel';
-import { HandlesPanel } from '../deform/handles-panel';
-import { MethodPanel } from '../deform/method-panel';
-import { ModelPanel } from '../deform/model-panel';
-import { PosePanel } from '../deform/pose-panel';
-import { RegionPanel } from '../deform/region-panel';
-import { StepsPanel } from '../deform/steps-panel';
+import type { WorkspaceId } from '../../app/state';
+import { useApp } from '../context';
+import { DeformPanels } from '../deform/deform-panels';
+import { HairPanels } from '../hair/hair-panels';
+
+const PANELS: Readonly<Record<WorkspaceId, ComponentType>> = { deform: DeformPanels, hair: HairPanels };
 
 export function SidePanel() {
+  const Panels = PANELS[useApp().state.workspace.value];
   return (
     <aside class="side-panel" aria-label={t('ui.panel')}>
-      <ModelPanel />
-      <StepsPanel />
-      <RegionPanel />
-      <HandlesPanel />
-      <PosePanel />
-      <MethodPanel />
-      <EffectPanel />
+      <Panels />
     </aside>
   );
 }

@@ -1,4 +1,6 @@
+import type { HairFigures } from '../../app/hair/state';
 import { formatNumber, t } from '../../app/i18n';
+import type { Figures } from '../../app/state';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
 
@@ -7,14 +9,11 @@ export function StatusBar() {
   const { state } = useApp();
   const figures = state.figures.value;
   const busy = state.busy.value;
+  const hair = state.workspace.value === 'hair' ? state.hair.figures.value : null;
   // Leftmost, so that its coming and going moves nothing else.
   const parts = [
     state.previewing.value && figures.fps >= 2 && t('ui.figure.fps', { count: Math.round(figures.fps) }),
-    figures.vertices !== null && t('ui.figure.vertices', { count: figures.vertices }),
-    figures.free !== null && t('ui.figure.free', { count: figures.free }),
-    figures.factor !== null && t('ui.figure.factor', { ms: Math.round(figures.factor) }),
-    figures.solve !== null && t('ui.figure.solve', { ms: milliseconds(figures.solve) }),
-    figures.drag !== null && t('ui.figure.drag', { ms: Math.round(figures.drag) }),
+    ...(hair ? hairParts(hair) : deformParts(figures)),
   ].filter((part): part is string => typeof part === 'string');
   return (
     <footer class="status-bar">
@@ -48,6 +47,24 @@ export function StatusBar() {
     </footer>
   );
 }
+
+const deformParts = (figures: Figures) => [
+  figures.vertices !== null && t('ui.figure.vertices', { count: figures.vertices }),
+  figures.free !== null && t('ui.figure.free', { count: figures.free }),
+  figures.factor !== null && t('ui.figure.factor', { ms: Math.round(figures.factor) }),
+  figures.solve !== null && t('ui.figure.solve', { ms: milliseconds(figures.solve) }),
+  figures.drag !== null && t('ui.figure.drag', { ms: Math.round(figures.drag) }),
+];
+
+const hairParts = (figures: HairFigures) => [
+  t('ui.hair.figure.strands', { count: figures.strands }),
+  t('ui.hair.figure.constraints', { count: figures.constraints }),
+  t('ui.hair.figure.grid', { size: figures.grid.join(' × ') }),
+  t('ui.hair.figure.update', { ms: milliseconds(figures.update) }),
+  t('ui.hair.figure.field', { ms: milliseconds(figures.field) }),
+  t('ui.hair.figure.grow', { ms: milliseconds(figures.grow) }),
+  figures.stroke !== null && t('ui.hair.figure.stroke', { ms: Math.round(figures.stroke) }),
+];
 
 const milliseconds = (ms: number): string =>
   ms < 10 ? formatNumber(Number(ms.toFixed(1))) : `${Math.round(ms)}`;

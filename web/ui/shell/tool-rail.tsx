@@ -1,21 +1,40 @@
 import { t } from '../../app/i18n';
+import { TOOLS, type ToolId } from '../../app/state';
 import { useApp } from '../context';
 import { CommandButton } from '../controls/command-button';
+
+const BRUSH = ['brush.erase', 'brush.larger', 'brush.smaller'];
+
+/** What the taken tool offers beside itself. */
+function extras(tool: ToolId): readonly string[] {
+  switch (tool) {
+    case 'paint-roi':
+    case 'paint-handle':
+      return ['brush.mirror', ...BRUSH];
+    case 'select':
+    case 'point-handle':
+      return ['gizmo.move', 'gizmo.rotate', 'gizmo.scale'];
+    case 'paint-scalp':
+      return ['hair.mirror', ...BRUSH];
+    case 'hint':
+      return ['hair.mirror', 'hair.support-kind', 'hair.rebuild-support'];
+    case 'ponytail':
+      return ['hair.mirror', 'hair.rebuild-support', 'hair.done'];
+    default:
+      return ['hair.mirror'];
+  }
+}
 
 /** The tools of the workspace, and below them what the taken tool offers. */
 export function ToolRail() {
   const { state } = useApp();
-  const painting = state.tool.value === 'paint-roi' || state.tool.value === 'paint-handle';
-  const extras = painting
-    ? ['brush.erase', 'brush.mirror', 'brush.larger', 'brush.smaller']
-    : ['gizmo.move', 'gizmo.rotate', 'gizmo.scale'];
   return (
     <div class="tool-rail" role="toolbar" aria-label={t('ui.tools')} aria-orientation="vertical">
-      {['tool.select', 'tool.paint-roi', 'tool.paint-handle', 'tool.point-handle'].map((id) => (
-        <CommandButton key={id} command={id} iconOnly />
+      {TOOLS[state.workspace.value].map((id) => (
+        <CommandButton key={id} command={`tool.${id}`} iconOnly />
       ))}
       <span class="divider" />
-      {extras.map((id) => (
+      {extras(state.tool.value).map((id) => (
         <CommandButton key={id} command={id} iconOnly />
       ))}
     </div>

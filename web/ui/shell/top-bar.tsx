@@ -1,15 +1,15 @@
 import { useEffect, useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
-import type { SavedState, WorkspaceId } from '../../app/state';
+import type { SavedState } from '../../app/state';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Menu } from '../controls/menu';
 
-const WORKSPACES: readonly WorkspaceId[] = ['deform'];
+const WORKSPACES = ['deform', 'hair'] as const;
 
 export function TopBar({ onTogglePanel, panelOpen }: { onTogglePanel: () => void; panelOpen: boolean }) {
-  const { state } = useApp();
+  const { state, commands } = useApp();
   return (
     <header class="top-bar">
       <div class="top-left">
@@ -31,11 +31,9 @@ export function TopBar({ onTogglePanel, panelOpen }: { onTogglePanel: () => void
           {WORKSPACES.map((id) => (
             <Button
               key={id}
-              label={t(`ui.workspace.${id}` as 'ui.workspace.deform')}
+              label={t(`ui.workspace.${id}`)}
               pressed={state.workspace.value === id}
-              onClick={() => {
-                state.workspace.value = id;
-              }}
+              onClick={() => commands.run(`workspace.${id}`)}
             />
           ))}
         </nav>

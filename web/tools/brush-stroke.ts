@@ -1,17 +1,38 @@
-import type { Hit, PointerSample } from '../../view/types';
-import type { DeformHost, DeformScene } from './host';
+import type { Hit, PointerSample, RegionPaint, ViewportPort } from '../view/types';
+import type { MeshGraph } from './mesh-graph';
+
+export interface Brush {
+  /** CSS pixels. */
+  readonly radius: number;
+  readonly erase: boolean;
+}
+
+/** What painting needs of the app. */
+export interface PaintHost {
+  readonly view: Pick<ViewportPort, 'pick' | 'verticesWithin' | 'pixelSize' | 'setBrush'>;
+  brush(): Brush;
+  /** Shows a stroke under way without computing anything; `null` ends it. */
+  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void;
+}
+
+/** The surface that is painted on. */
+export interface PaintScene {
+  readonly graph: MeshGraph;
+  /** The set together with what lies across the symmetry plane, when mirroring is on; else the set. */
+  readonly mirrored: (vertices: Uint32Array) => Uint32Array;
+}
 
 /** Parts of the brush radius between two stamps along the path. */
 const SPACING = 0.4;
 
 /** One brush stroke: the vertices it has gone over. Fast moves are filled in along the pointer's path. */
-export class Stroke {
+export class BrushStroke {
   readonly touched = new Set<number>();
   #last: PointerSample | null = null;
 
   constructor(
-    private readonly host: DeformHost,
-    private readonly scene: DeformScene,
+    private readonly host: PaintHost,
+    private readonly scene: PaintScene,
   ) {}
 
   extend(samples: readonly PointerSample[]): void {
@@ -41,5 +62,5 @@ export class Stroke {
 }
 
 /** CSS pixels; a pen's pressure makes it half to one and a half times as wide. */
-export const radiusOf = (host: DeformHost, { pointerType, pressure }: PointerSample): number =>
+export const radiusOf = (host: Pick<PaintHost, 'brush'>, { pointerType, pressure }: PointerSample): number =>
   host.brush().radius * (pointerType === 'pen' ? 0.5 + pressure : 1);

@@ -1,0 +1,46 @@
+// A style on another head: its strokes move as the box around the scalp does.
+
+import { roundTo } from '../../core/decimal';
+import type { Model } from '../../core/model';
+import type { HairStep } from '../../recipe/recipe';
+import { places } from '../../tools/hair/measures';
+import { mapped, type Point, primitivesOf, withPrimitives } from '../../tools/hair/style';
+import { headHeight, scalpOf } from './steps';
+
+interface Head {
+  readonly model: Model;
+  readonly scalp: Uint32Array;
+}
+
+/** @param to  a head that brings a scalp; without one, or on the same head, strokes stay where they are */
+export function fitted(step: HairStep, from: Head, to: Model): HairStep {
+  const before = boxOf(from.model, from.scalp);
+  const after = boxOf(to, scalpOf({}, to));
+  if (!before || !after) return step;
+  const digits = places(headHeight({}, to));
+  const move = (point: readonly number[]): Point =>
+    point.map((x, k) => {
+      const [low, high] = before[k]!;
+      const [newLow, newHigh] = after[k]!;
+      const scale = high > low ? (newHigh - newLow) / (high - low) : 1;
+      return roundTo(newLow + (x - low) * scale, digits);
+    }) as Point;
+  return withPrimitives(
+    step,
+    primitivesOf(step).map((primitive) => mapped(primitive, move)),
+  );
+}
+
+function boxOf({ positions }: Model, vertices: Uint32Array): [number, number][] | null {
+  if (vertices.length === 0) return null;
+  return [0, 1, 2].map((k) => {
+    let [low, high] = [Infinity, -Infinity];
+    for (const v of vertices) {
+      const x = positions[3 * v + k]!;
+      if (!Number.isFinite(x)) continue;
+      low = Math.min(low, x);
+      high = Math.max(high, x);
+    }
+    return [low, high];
+  });
+}

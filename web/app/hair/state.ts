@@ -1,0 +1,51 @@
+// What the hair workspace knows beside the document, as signals. No behaviour here.
+
+import { signal } from '@preact/signals';
+import type { Line } from '../../tools/hair/polyline';
+import type { SupportKind, Viewpoint } from '../../tools/hair/support';
+import type { HairOptions, StyleCurve } from '../../view/hair/types';
+
+/** A stroke under way that is no edit yet. */
+export interface ShownStroke {
+  readonly line: Line;
+  readonly kind: StyleCurve['kind'];
+}
+
+/** What is drawn beside the hair itself. */
+export interface HairShow {
+  readonly hair: boolean;
+  readonly curves: boolean;
+  readonly support: boolean;
+  readonly field: boolean;
+  readonly volume: boolean;
+}
+
+/** Numbers of the last hair grown; times in milliseconds. */
+export interface HairFigures {
+  readonly constraints: number;
+  readonly grid: readonly [number, number, number];
+  readonly strands: number;
+  readonly update: number;
+  readonly field: number;
+  readonly grow: number;
+  /** From the end of a stroke to its hair on screen. */
+  readonly stroke: number | null;
+}
+
+export class HairState {
+  readonly show = signal<HairShow>({
+    hair: true,
+    curves: true,
+    support: true,
+    field: false,
+    volume: false,
+  });
+  readonly shading = signal<HairOptions['shading']>('natural');
+  readonly supportKind = signal<SupportKind>('strip');
+  /** What supporting surfaces are built for; `null`: not looked at yet. */
+  readonly viewpoint = signal<Viewpoint | null>(null);
+  readonly stroke = signal<ShownStroke | null>(null);
+  /** Whether the pointer is over something the tool can start on. */
+  readonly aimed = signal(true);
+  readonly figures = signal<HairFigures | null>(null);
+}

@@ -1,0 +1,52 @@
+// The status bar's sentence in the hair workspace.
+
+import { ponytailStage } from '../../tools/hair/ponytail-tool';
+import { primitiveAt } from '../../tools/hair/style';
+import { t } from '../i18n';
+import type { State } from '../state';
+
+type Keys = (command: string) => string;
+
+/** Reads signals. @param key  the shortcut of a command as it is shown */
+export function hairStatus(state: State, key: Keys): string {
+  const aimed = state.hair.aimed.value;
+  const kind = selectedKind(state);
+  switch (state.tool.value) {
+    case 'stream':
+      return aimed ? t('status.hair.stream', { hint: key('tool.hint') }) : t('status.hair.off-head');
+    case 'parting':
+      if (!aimed) return t('status.hair.off-head');
+      return kind === 'parting' ? t('status.hair.tilt') : t('status.hair.parting');
+    case 'hint':
+      return hintStatus(kind, key);
+    case 'ponytail':
+      return ponytailStatus(state, key);
+    case 'paint-scalp':
+      return t('status.hair.scalp', { smaller: key('brush.smaller'), larger: key('brush.larger') });
+    default:
+      if (kind === undefined) return t('status.hair.select', { stream: key('tool.stream') });
+      return t('status.hair.selected', { hint: key('tool.hint') });
+  }
+}
+
+function selectedKind(state: State) {
+  const step = state.hairStep.value;
+  return step && primitiveAt(step, state.selection.value.handle)?.kind;
+}
+
+function hintStatus(kind: ReturnType<typeof selectedKind>, key: Keys): string {
+  if (!kind) return t('status.hair.hint-none');
+  if (kind === 'parting') return t('status.hair.tilt');
+  return t('status.hair.hint', { rebuild: key('hair.rebuild-support'), kind: key('hair.support-kind') });
+}
+
+/** What to draw next of the ponytail being built. */
+function ponytailStatus(state: State, key: Keys): string {
+  const step = state.hairStep.value;
+  const stage = step ? ponytailStage({ step, selected: state.selection.value.handle }) : 'spine';
+  if (stage === 'spine' && !state.hair.aimed.value) return t('status.hair.off-head');
+  return t(`status.hair.ponytail.${stage}`, {
+    rebuild: key('hair.rebuild-support'),
+    done: key('hair.done'),
+  });
+}
