@@ -98,23 +98,46 @@ export class DensityGrid {
     const half = (0.5 * cell * Math.hypot(...direction)) / main;
     const [iu, iv] = [Math.floor(du), Math.floor(dv)];
     const [fu, fv] = [du - iu, dv - iv];
-    const weights = [(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv];
+    const [w00, w10, w01, w11] = [(1 - fu) * (1 - fv), fu * (1 - fv), (1 - fu) * fv, fu * fv];
+    // Beyond the grid nothing stands in the way.
+    const inside = (x: number, y: number): number => Number(x >= 0 && y >= 0 && x < n && y < n);
     for (let step = 0; step < n; step++) {
       const plane = towards > 0 ? n - 1 - step : step;
       for (let j = 0; j < n; j++) {
+        const y = j + iv;
+        const rowWithin = y >= 0 && y + 1 < n;
         for (let i = 0; i < n; i++) {
           const at = plane * sa + i * su + j * sv;
+          if (step === 0) {
+            out[at] = half * extinction[at]!;
+            continue;
+          }
+          const x = i + iu;
+          let [a, b, c, d] = [w00, w10, w01, w11];
+          if (!rowWithin || x < 0 || x + 1 >= n) {
+            a *= inside(x, y);
+            b *= inside(x + 1, y);
+            c *= inside(x, y + 1);
+            d *= inside(x + 1, y + 1);
+          }
+          const p = (plane + towards) * sa + x * su + y * sv;
           let before = 0;
           let crossed = extinction[at]!;
-          if (step > 0) {
-            for (let corner = 0; corner < 4; corner++) {
-              const x = i + iu + (corner & 1);
-              const y = j + iv + (corner >> 1);
-              if (x < 0 || y < 0 || x >= n || y >= n) continue;
-              const from = (plane + towards) * sa + x * su + y * sv;
-              before += weights[corner]! * out[from]!;
-              crossed += weights[corner]! * extinction[from]!;
-            }
+          if (a > 0) {
+            before += a * out[p]!;
+            crossed += a * extinction[p]!;
+          }
+          if (b > 0) {
+            before += b * out[p + su]!;
+            crossed += b * extinction[p + su]!;
+          }
+          if (c > 0) {
+            before += c * out[p + sv]!;
+            crossed += c * extinction[p + sv]!;
+          }
+          if (d > 0) {
+            before += d * out[p + su + sv]!;
+            crossed += d * extinction[p + su + sv]!;
           }
           out[at] = before + half * crossed;
         }

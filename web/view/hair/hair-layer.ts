@@ -125,7 +125,8 @@ export class HairLayer {
   prepare(camera: PerspectiveCamera | OrthographicCamera, frame: number): void {
     const adaptive = frame > 0 || this.test ? 1 : this.#share;
     this.#hair.setShare(this.#fixedShare ?? adaptive);
-    this.#hair.prepare(this.renderer, camera, frame, this.#model?.geometry);
+    // In tests every picture is a finished one.
+    this.#hair.prepare(this.renderer, camera, this.test ? Math.max(1, frame) : frame, this.#model?.geometry);
   }
 
   dispose(): void {

@@ -29,7 +29,7 @@ import { KEY_LIGHT } from './lights';
 import { type Prefix, prefixOf } from './lod';
 import { OpacityMap } from './opacity-map';
 import { fitting, pack, ROW } from './quantise';
-import { resample } from './resample';
+import { type EvenStrands, resample } from './resample';
 import { SHADE_FRAGMENT, SHADE_VERTEX } from './shade-glsl';
 import { StrandLight } from './strand-light';
 import type { HairOptions } from './types';
@@ -39,6 +39,13 @@ export interface Head {
   readonly geometry: BufferGeometry;
   readonly places: Float32Array;
   readonly triangles: Uint32Array;
+}
+
+/** Strands whose light is not in the grid yet. */
+interface Unbaked {
+  readonly even: EvenStrands;
+  readonly taper: number;
+  readonly head: Head | undefined;
 }
 
 /** Shadows need no more strands than this: they stand for all. */
@@ -83,6 +90,8 @@ export class HairView {
   #options: HairOptions = { show: true, shading: 'natural', widthScale: 1 };
   #share = 1;
   #stale = false;
+  #unbaked: Unbaked | undefined;
+  #baked = false;
 
   /** @param multisampled  whether the picture has several samples a pixel */
   constructor(multisampled: boolean) {
@@ -144,11 +153,7 @@ export class HairView {
     this.#width = look.thickness * space.scale;
     this.#ribbon.taper.value = look.taper;
     this.#strandLight.setLook(look.color, look.colorVariation);
-    const baked = bakeLight(even, this.#width * this.#options.widthScale, look.taper, head);
-    fill(this.#light, baked.light, baked.n);
-    fill(this.#shade, baked.shade, baked.n);
-    this.#grid.gridLow.value.set(...baked.low);
-    this.#grid.gridSize.value = baked.size;
+    this.#unbaked = { even, taper: look.taper, head };
     this.#stale = true;
     this.#apply();
   }
@@ -156,6 +161,8 @@ export class HairView {
   clear(): void {
     this.#total = 0;
     this.#box.makeEmpty();
+    this.#unbaked = undefined;
+    this.#baked = false;
     this.#upload(new Uint16Array(4 * ROW), 1);
     this.#apply();
   }
@@ -188,6 +195,8 @@ export class HairView {
   ): void {
     if (!this.shown) return;
     this.#frame.frame.value = frame;
+    // While a stroke is drawn the light of a moment ago will do.
+    if (this.#unbaked && (frame > 0 || !this.#baked)) this.#bake(this.#unbaked);
     if (this.#stale) {
       this.#draw(prefixOf(this.#total, SHADOW_STRANDS / this.#total));
       this.#opacity.update(renderer, this.#box, KEY_LIGHT.towards, head);
@@ -212,6 +221,17 @@ export class HairView {
       this.#material,
     ])
       part.dispose();
+  }
+
+  #bake({ even, taper, head }: Unbaked): void {
+    const baked = bakeLight(even, this.#width * this.#options.widthScale, taper, head);
+    fill(this.#light, baked.light, baked.n);
+    fill(this.#shade, baked.shade, baked.n);
+    this.#grid.gridLow.value.set(...baked.low);
+    this.#grid.gridSize.value = baked.size;
+    this.#strandLight.changed();
+    this.#unbaked = undefined;
+    this.#baked = true;
   }
 
   #apply(): void {

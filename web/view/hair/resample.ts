@@ -24,8 +24,8 @@ export function resample(strands: Strands, space: ViewSpace, most = Infinity): E
   const count = Math.min(strandCount(strands), most);
   const perStrand = longest(offsets, count);
   const points = new Float32Array(3 * count * perStrand);
-  const low: [number, number, number] = [Infinity, Infinity, Infinity];
-  const high: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  let [lowX, lowY, lowZ] = [Infinity, Infinity, Infinity];
+  let [highX, highY, highZ] = [-Infinity, -Infinity, -Infinity];
   const { scale, centre, zUp } = space;
   // Subtracted first and in double precision: far from the origin both are large and nearly the same.
   const [ox, oy, oz] = [origin[0] - centre[0], origin[1] - centre[1], origin[2] - centre[2]];
@@ -44,19 +44,22 @@ export function resample(strands: Strands, space: ViewSpace, most = Infinity): E
       const y = ((source ? source[p + 1]! + t * (source[q + 1]! - source[p + 1]!) : 0) + oy) * scale;
       const z = ((source ? source[p + 2]! + t * (source[q + 2]! - source[p + 2]!) : 0) + oz) * scale;
       const out = 3 * (s * perStrand + i);
+      const up = zUp ? z : y;
+      const front = zUp ? -y : z;
       points[out] = x;
-      points[out + 1] = zUp ? z : y;
-      points[out + 2] = zUp ? -y : z;
+      points[out + 1] = up;
+      points[out + 2] = front;
       if (!source) continue;
-      for (let k = 0; k < 3; k++) {
-        const value = points[out + k]!;
-        if (value < low[k]!) low[k] = value;
-        if (value > high[k]!) high[k] = value;
-      }
+      if (x < lowX) lowX = x;
+      if (x > highX) highX = x;
+      if (up < lowY) lowY = up;
+      if (up > highY) highY = up;
+      if (front < lowZ) lowZ = front;
+      if (front > highZ) highZ = front;
     }
   }
-  if (low[0] > high[0]) return { count, perStrand, points, low: [0, 0, 0], high: [0, 0, 0] };
-  return { count, perStrand, points, low, high };
+  if (lowX > highX) return { count, perStrand, points, low: [0, 0, 0], high: [0, 0, 0] };
+  return { count, perStrand, points, low: [lowX, lowY, lowZ], high: [highX, highY, highZ] };
 }
 
 function longest(offsets: Uint32Array, count: number): number {
