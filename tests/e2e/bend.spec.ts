@@ -1,6 +1,6 @@
 import { toIndices } from '../../web/core/vertex-set';
 import { centroid } from '../../web/tools/geometry';
-import { type Desk, diagonal, expect, handleGap, mayMove, moved, type Place, test } from './desk';
+import { type Desk, diagonal, expect, gap, handleGap, mayMove, moved, type Place, test } from './desk';
 
 test('the first picture is a model with two handles at rest and one short hint', async ({ fresh: desk }) => {
   const { page } = desk;
@@ -49,7 +49,7 @@ test('a dragged handle goes where the pointer goes, its region follows, nothing 
     expect(back.selected).toBeNull();
     await desk.press('Control+Shift+Z');
     const again = await desk.shown();
-    expect(again.positions).toEqual(bent.positions);
+    expect(gap(again.positions, bent.positions)).toBe(0);
     expect(again.selected).toBe(1);
   });
 
@@ -60,7 +60,7 @@ test('a dragged handle goes where the pointer goes, its region follows, nothing 
     await desk.page.keyboard.press('Escape');
     await desk.page.mouse.up();
     const after = await desk.shown();
-    expect(after.positions).toEqual(bent.positions);
+    expect(gap(after.positions, bent.positions)).toBe(0);
     expect(after.step).toEqual(bent.step);
     expect(await desk.history()).toEqual(before);
   });
@@ -101,11 +101,9 @@ test('numbers typed in turn a handle by exactly 90 degrees, and each method answ
   await page.getByRole('textbox', { name: 'Iterations' }).fill('5');
   await page.keyboard.press('Enter');
   answers.push((await desk.shown()).positions);
-  const apart = (a: Float64Array, b: Float64Array) =>
-    a.reduce((worst, x, i) => Math.max(worst, Math.abs(x - b[i]!)), 0);
   for (let i = 0; i < answers.length; i++)
     for (let j = 0; j < i; j++)
-      expect(apart(answers[i]!, answers[j]!), `${i} and ${j}`).toBeGreaterThan(1e-3 * diagonal(turned.rest));
+      expect(gap(answers[i]!, answers[j]!), `${i} and ${j}`).toBeGreaterThan(1e-3 * diagonal(turned.rest));
 });
 
 test('the gizmo moves along one axis, turns about the middle and scales', async ({ desk }) => {

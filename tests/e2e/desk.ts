@@ -64,7 +64,8 @@ export class Desk {
       return { step, rest: [...input.model.positions], positions: [...positions], selected };
     });
     if (!read) throw new Error('nothing is shown');
-    const { step, selected } = read;
+    const { selected } = read;
+    const step = read.step as unknown as DeformStep;
     return {
       step,
       selected,
@@ -137,7 +138,7 @@ export class Desk {
   }
 
   /** Press, move and hold: what `drop` or Escape ends. */
-  async hold(from: Place, by: Place, steps = 6): Promise<void> {
+  async hold(from: Place, by: Place, steps = 4): Promise<void> {
     const { mouse } = this.page;
     await mouse.move(from.x, from.y);
     await mouse.down();
@@ -145,7 +146,7 @@ export class Desk {
       await mouse.move(from.x + (by.x * i) / steps, from.y + (by.y * i) / steps);
   }
 
-  async drag(from: Place, by: Place, steps = 6): Promise<void> {
+  async drag(from: Place, by: Place, steps = 4): Promise<void> {
     await this.hold(from, by, steps);
     await this.page.mouse.up();
     await this.settled();
@@ -239,12 +240,17 @@ export async function withoutPickers(page: Page): Promise<Page> {
   return page;
 }
 
-const SIZE = { width: 1100, height: 760 };
+/** Small: software rendering pays by the pixel. */
+const SIZE = { width: 940, height: 600 };
 
 export const test = base.extend<Fixtures, { readonly shared: { desk: Desk; errors: string[] } }>({
   shared: [
     async ({ browser }, use) => {
-      const context = await browser.newContext({ viewport: SIZE, baseURL: base.info().project.use.baseURL! });
+      const context = await browser.newContext({
+        viewport: SIZE,
+        reducedMotion: 'reduce',
+        baseURL: base.info().project.use.baseURL!,
+      });
       const page = await withoutPickers(await context.newPage());
       const errors = listenForErrors(page);
       const desk = new Desk(page);
@@ -293,6 +299,10 @@ export function diagonal(positions: Float64Array): number {
   });
   return Math.hypot(...spans);
 }
+
+/** The largest difference of two sets of coordinates; infinite where they are not even as many. */
+export const gap = (a: Float64Array, b: Float64Array): number =>
+  a.length === b.length ? a.reduce((worst, x, i) => Math.max(worst, Math.abs(x - b[i]!)), 0) : Infinity;
 
 /** How far the worst vertex of a handle is from where the handle's matrix takes it. */
 export function handleGap(handle: DeformHandle, { rest, positions }: Shown): number {

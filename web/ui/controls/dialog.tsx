@@ -11,6 +11,12 @@ interface Props {
   footer?: ComponentChildren;
 }
 
+export const closeOnEscape = (close: () => void) => (event: KeyboardEvent) => {
+  if (event.key !== 'Escape') return;
+  event.preventDefault();
+  close();
+};
+
 /** A native modal dialog: focus trap, Escape and the backdrop come with the platform. */
 export function Dialog({ title, closeLabel, onClose, wide, children, footer }: Props) {
   const ref = useRef<HTMLDialogElement>(null);
@@ -33,12 +39,14 @@ export function Dialog({ title, closeLabel, onClose, wide, children, footer }: P
       class={wide ? 'dialog wide' : 'dialog'}
       aria-labelledby={id}
       tabIndex={-1}
+      // Browsers send `close` with the next picture only, which may be late: Escape is taken at once.
+      onKeyDown={closeOnEscape(onClose)}
       onClose={onClose}
-      onClick={(e) => e.target === ref.current && ref.current?.close()}
+      onClick={(e) => e.target === ref.current && onClose()}
     >
       <header>
         <h2 id={id}>{title}</h2>
-        <Button icon="x" iconOnly label={closeLabel} onClick={() => ref.current?.close()} />
+        <Button icon="x" iconOnly label={closeLabel} onClick={onClose} />
       </header>
       <div class="body">{children}</div>
       {footer && <footer>{footer}</footer>}

@@ -2,7 +2,7 @@ import { t } from '../../app/i18n';
 import { heatGradient } from '../../view/heat';
 import { useApp } from '../context';
 
-const percent = (value: number): string => `${value > 0 ? '+' : ''}${Math.round(value * 100)} %`;
+const percent = (value: number): string => `${value < 0 ? '−' : '+'}${Math.round(Math.abs(value) * 100)} %`;
 
 export function HeatLegend() {
   const [low, high] = useApp().state.heatRange.value;

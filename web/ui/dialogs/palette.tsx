@@ -2,6 +2,7 @@ import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Command } from '../../app/commands';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+import { closeOnEscape } from '../controls/dialog';
 import { Icon } from '../controls/icon';
 
 /** Every command by name: type, arrow to it, Enter. */
@@ -10,7 +11,14 @@ export function Palette({ onClose }: { onClose: () => void }) {
   const [text, setText] = useState('');
   const [at, setAt] = useState(0);
   const dialog = useRef<HTMLDialogElement>(null);
-  useEffect(() => dialog.current?.showModal(), []);
+  useEffect(() => {
+    const before = document.activeElement;
+    dialog.current?.showModal();
+    return () => {
+      dialog.current?.close();
+      if (before instanceof HTMLElement) before.focus();
+    };
+  }, []);
 
   const found = commands.all
     .filter((command) => !command.hidden && command.id !== 'help.palette')
@@ -22,7 +30,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
 
   const take = (command: Command | undefined) => {
     if (!command || !commands.isEnabled(command.id)) return;
-    dialog.current?.close();
+    onClose();
     commands.run(command.id);
   };
 
@@ -32,8 +40,9 @@ export function Palette({ onClose }: { onClose: () => void }) {
       ref={dialog}
       class="dialog palette"
       aria-label={t('ui.palette')}
+      onKeyDown={closeOnEscape(onClose)}
       onClose={onClose}
-      onClick={(e) => e.target === dialog.current && dialog.current?.close()}
+      onClick={(e) => e.target === dialog.current && onClose()}
     >
       <input
         class="text"
