@@ -21,6 +21,13 @@ namespace {
 constexpr double k_shell_reach = 0.2; // of the head height: how far from the scalp the shell goes on
 constexpr std::size_t k_shell_slice = 192;
 
+/// To multiples of 2⁻¹⁶: what rounding the factor's history has left (some 1e-12) goes, so that the same style gives
+/// the same bytes whatever was drawn before it.
+template <typename Matrix>
+void snap(Matrix& vectors) {
+    vectors = (vectors.array() * 0x1p16).round() * 0x1p-16;
+}
+
 class Clock {
 public:
     [[nodiscard]] double seconds() const {
@@ -160,6 +167,7 @@ void HairSession::set_style(const HairStyle& given) {
             const Points t = s.many_alone->field();
             for (std::size_t i = 0; i < s.shell.size(); ++i) near_scalp.row(static_cast<Eigen::Index>(i)) = t.row(s.shell[i]);
         }
+        snap(near_scalp);
         // Where style and scalp both ask, the style has its way.
         std::vector<FieldConstraint> both = wanted;
         for (const FieldConstraint& c : shell_constraints(s.shell, near_scalp, grid, *head.distance))
@@ -170,6 +178,7 @@ void HairSession::set_style(const HairStyle& given) {
         s.update = updating.seconds();
         const Clock solving;
         styled->field.vectors = solver.field();
+        snap(styled->field.vectors);
         s.field = solving.seconds();
     }
     s.style = std::move(styled);

@@ -81,20 +81,20 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
 
     Vector3d p = strand.root.position, before = strand.root.normal;
     strand.points.push_back(p);
-    const auto direction = [&](const Vector3d& at, bool sure) -> std::optional<Vector3d> {
+    // Zero: the strand ends.
+    const auto direction = [&](const Vector3d& at, bool sure) -> Vector3d {
         const Vector3d v = field_.at(at);
         const double magnitude = v.norm();
         if (magnitude >= k_least) return v / magnitude;
-        return sure ? std::optional(before) : std::nullopt;
+        return sure ? before : Vector3d::Zero();
     };
     for (double walked = 0; walked < length - 1e-9 * length;) {
         const double l = std::min(segment_, length - walked);
         const bool sure = walked < k_sure * h;
-        const auto first = direction(p, sure);
-        if (!first) break;
-        const auto second = direction(p + 0.5 * l * *first, sure);
-        if (!second) break;
-        Vector3d v = *second;
+        const Vector3d first = direction(p, sure);
+        if (first.isZero()) break;
+        Vector3d v = direction(p + 0.5 * l * first, sure);
+        if (v.isZero()) break;
 
         const bool near_root = walked < StrandGrowth::parting_reach * h;
         const HeadDistance::Sample skin = head_.sample(p);

@@ -34,7 +34,7 @@ struct HairFigures {
 ///
 /// The field is solved twice per style: of the style alone, to know where hair would run into the scalp; then with
 /// the scalp's own constraints beside it (Fu 4.6, but live). The result depends on head and style alone, never on
-/// the styles before.
+/// the styles before: the field is rounded to 2⁻¹⁶, far above what the order of edits can leave.
 class HairSession {
 public:
     static constexpr int most_strands = 1'000'000;
