@@ -61,7 +61,7 @@ vec3 lit(Fibre fibre, vec3 towards, float spread, vec3 colour, float near, vec3 
   vec3 single = (r + trt) * near + tt * far * mix(0.35, 1.0, near);
   // What has bounced between strands has lost its direction but for a preference for the lit side.
   float wrap = (0.45 + 0.55 * dot(normalize(b), towards)) * cosLight;
-  vec3 many = colour * max(0.0, 0.25 + 0.75 * wrap) / PI;
+  vec3 many = 0.78 * colour * max(0.0, 0.25 + 0.75 * wrap) / PI;
   return single * cosines + many * far * mix(0.7, 1.0, near);
 }
 
