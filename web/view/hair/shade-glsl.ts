@@ -51,7 +51,7 @@ vec3 lit(Fibre fibre, vec3 towards, float spread, vec3 colour, float near, vec3 
   float cosPhi = clamp(dot(a, b) * inversesqrt(max(dot(a, a) * dot(b, b), 1e-8)), -1.0, 1.0);
   float cosHalfPhi = sqrt(max(0.0, 0.5 + 0.5 * cosPhi));
   float fresnel = 0.046 + 0.954 * pow(1.0 - cosDiff * cosHalfPhi, 5.0);
-  // Roughness of the lobes 1 : ½ : 2, shifts −2 : 1 : 3 (Marschner 2003, table 1), widened by the lamp.
+  // Roughness of the lobes 1 : ½ : 2, shifts −2 : 1 : 3 (Marschner 2003), widened by the lamp.
   float soft = 0.085 + 0.35 * spread;
   vec3 r = vec3(1.4 * bell(half_ + fibre.tilt, soft) * 0.25 * cosHalfPhi * fresnel);
   // Around the strand: fits of the thick-cylinder integrals by Karis, "Physically based hair shading" (2016).
@@ -65,7 +65,7 @@ vec3 lit(Fibre fibre, vec3 towards, float spread, vec3 colour, float near, vec3 
   return single * cosines + many * far * mix(0.7, 1.0, near);
 }
 
-// Kajiya & Kay, "Rendering fur with three dimensional textures" (1989), equations 14 to 16.
+// Kajiya & Kay, "Rendering fur with three dimensional textures" (1989); both directions point away from the strand.
 vec3 kajiyaKay(vec3 tangent, vec3 eye, vec3 towards, vec3 colour) {
   float cosLight = dot(tangent, towards);
   float cosEye = dot(tangent, eye);
@@ -105,7 +105,7 @@ void main() {
   vec3 softDepth = -4.0 * log(max(light.gba, 1.0 / 512.0));
   vec2 key = keyLightAt(place, 0.3, 3.0);
   // Strands absorb per crossing what, over the many crossings in a head of hair, makes this colour:
-  // Chiang et al., "A practical and controllable hair and fur model" (2016), equation 9 at roughness 0.3.
+  // Chiang et al., "A practical and controllable hair and fur model" (2016), its fit at roughness 0.3.
   vec3 root = log(max(colour, vec3(0.002))) / 5.89;
   vec3 sigma = root * root;
   Fibre fibre = Fibre(tangent, eye, dot(tangent, eye), exp(-2.6 * sigma), 0.1 + 0.14 * (unit(seed ^ 0x5bd1e995u) - 0.5));
