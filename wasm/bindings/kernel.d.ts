@@ -10,9 +10,13 @@ import type {
   HairOptions,
   HairStyle,
   Measured,
+  MergeBoundarySpec,
+  Merged,
+  MergeOptions,
   OpenedHair,
   OpenedModel,
   PreparedDeform,
+  PreparedMerge,
   StyledHair,
 } from '../../web/kernel/contract';
 
@@ -40,6 +44,15 @@ export interface KernelModule {
     count: number,
     options: HairOptions,
   ) => WasmHairGrowth;
+  readonly MergeSession: new (
+    source: WasmWorkingMesh,
+    target: WasmWorkingMesh,
+    boundaries: readonly MergeBoundarySpec[],
+    roi: Uint32Array,
+    handles: readonly { readonly vertices: Uint32Array; readonly matrix: Float64Array }[],
+    options: MergeOptions,
+  ) => WasmMergeSession;
+  loopsAround(model: WasmWorkingMesh, vertices: Uint32Array): readonly Uint32Array[];
   measure(model: WasmWorkingMesh, positions: Float64Array): Measured;
   /** Highest heap address so far, in bytes. */
   peakBytes(): number;
@@ -79,6 +92,14 @@ export interface WasmHairGrowth extends WasmObject {
   fraction(): number;
   /** The strands, once. */
   take(): Omit<GrownHair, 'peakBytes'>;
+}
+
+export interface WasmMergeSession extends WasmObject {
+  /** One slice of the factorization; true while there is more. */
+  step(): boolean;
+  fraction(): number;
+  figures(): Omit<PreparedMerge, 'merge' | 'peakBytes'>;
+  merge(keys: readonly Uint32Array[], settle: boolean): Merged;
 }
 
 /** What kernel.mjs takes: how to make an instance once the imports are known. */

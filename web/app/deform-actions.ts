@@ -124,9 +124,7 @@ export class DeformActions implements DeformService {
     const next = edit.newDeformStep(id, step.id);
     const at = recipe.steps.indexOf(step) + 1;
     // What was built on the open step is built on the new one from now on.
-    const later = recipe.steps
-      .slice(at)
-      .map((each) => (each.model === step.id ? { ...each, model: id } : each));
+    const later = edit.redirect({ ...recipe, steps: recipe.steps.slice(at) }, step.id, id).steps;
     const steps = [
       ...recipe.steps.slice(0, at),
       { ...next, method: step.method, options: step.options },

@@ -1,5 +1,15 @@
 import { cancelled, LissomError } from '../core/errors';
-import type { Args, CallOptions, DeformId, HairId, KernelPort, Method, ModelId, Result } from './contract';
+import type {
+  Args,
+  CallOptions,
+  DeformId,
+  HairId,
+  KernelPort,
+  MergeId,
+  Method,
+  ModelId,
+  Result,
+} from './contract';
 import { notLoaded, toError, workerRestarted } from './failures';
 import type { Failure, Reply, Request } from './messages';
 
@@ -153,8 +163,13 @@ export class KernelClient implements KernelPort {
 
   /** An answer that crossed its cancellation: nobody will release what it made, so we do. */
   #forget(result: Result<Method>): void {
-    const { model, deform, hair } = (result ?? {}) as { model?: ModelId; deform?: DeformId; hair?: HairId };
-    const id = deform ?? hair ?? model;
+    const { model, deform, merge, hair } = (result ?? {}) as {
+      model?: ModelId;
+      deform?: DeformId;
+      merge?: MergeId;
+      hair?: HairId;
+    };
+    const id = deform ?? merge ?? hair ?? model;
     if (id !== undefined) void this.call('release', { id }).catch(() => {});
   }
 }

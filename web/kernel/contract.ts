@@ -7,6 +7,8 @@ import type { Finding } from '../core/errors';
 export type ModelId = number & { readonly brand: 'ModelId' };
 /** A factored deformation held by the kernel until `release`. Dies with the worker. */
 export type DeformId = number & { readonly brand: 'DeformId' };
+/** Two models factored for merging, held by the kernel until `release`. Dies with the worker. */
+export type MergeId = number & { readonly brand: 'MergeId' };
 /** A head prepared for hair, with its style, held by the kernel until `release`. Dies with the worker. */
 export type HairId = number & { readonly brand: 'HairId' };
 
@@ -153,6 +155,87 @@ export interface FieldVectors {
   readonly vectors: Float32Array;
 }
 
+/** One pair of boundaries to be joined; vertices of the two files. */
+export interface MergeBoundarySpec {
+  /** Closed by itself, in either direction: along an opening, or a path across the surface. */
+  readonly source: Uint32Array;
+  readonly target: Uint32Array;
+  /** Vertices of the side to keep, where the loop is a path; empty: the side to its left. */
+  readonly sourceKeep: Uint32Array;
+  readonly targetKeep: Uint32Array;
+}
+
+export interface MergeOptions {
+  readonly mode?: 'independent' | 'dependent';
+  /** Umbrella iterations at the seam. */
+  readonly smoothing?: number;
+  readonly coherenceRing?: 1 | 2;
+  /** Column-major 4×4: where the source stands in the target's space; read by `dependent`. */
+  readonly pose?: Float64Array;
+}
+
+export interface PreparedMerge {
+  readonly merge: MergeId;
+  readonly free: number;
+  readonly degenerate: number;
+  readonly warnings: readonly Finding[];
+  readonly seconds: { readonly assemble: number; readonly factor: number };
+  readonly peakBytes: number;
+}
+
+/** Places on a file's surface, three vertices and weights each. */
+export interface Origins {
+  readonly vertices: Uint32Array;
+  readonly weights: Float64Array;
+}
+
+/** What of one file goes into the merged model. */
+export interface MergeContribution {
+  /** Per file vertex its number in the result; −1: left out. */
+  readonly resultOfVertex: Int32Array;
+  /** Polygons that go in whole, ascending. */
+  readonly faces: Uint32Array;
+  /** 1 for each of them whose corners go in reverse. */
+  readonly turned: Uint8Array;
+}
+
+/**
+ * The merged model in the terms of its two files. Vertices: kept target vertices in file order, kept source vertices in
+ * file order, new ones. Faces: whole target polygons, whole source polygons, triangles cut at the seam.
+ */
+export interface Merged {
+  readonly positions: Float64Array;
+  readonly target: MergeContribution;
+  readonly source: MergeContribution;
+  /** Per new vertex: 1 where its origin is in the source file. */
+  readonly newFromSource: Uint8Array;
+  readonly newOrigins: Origins;
+  /** Three a cut triangle. */
+  readonly cutVertices: Uint32Array;
+  readonly cutFromSource: Uint8Array;
+  /** Per cut triangle its polygon in its file. */
+  readonly cutFaces: Uint32Array;
+  /** Three a cut triangle: vertices of that polygon. */
+  readonly cutOrigins: Origins;
+  /** Result vertices of each seam. */
+  readonly seams: readonly Uint32Array[];
+  /** The keys used, found ones included: source, target, source, target … */
+  readonly keys: readonly Uint32Array[];
+  readonly eulerCharacteristic: number;
+  /** Dihedral angles in degrees along the seam (0 is flat), and below which 90 % of all other edges lie. */
+  readonly seam: {
+    readonly vertices: number;
+    readonly medianDihedral: number;
+    readonly highDihedral: number;
+    readonly maxDihedral: number;
+    readonly ownHighDihedral: number;
+    readonly leastAngle: number;
+  };
+  readonly sourceTurned: boolean;
+  readonly warnings: readonly Finding[];
+  readonly seconds: { readonly solve: number; readonly stitch: number };
+}
+
 export interface Kernel {
   /** Welds, triangulates, checks. Codes: no-vertices, no-faces, no-usable-faces, zero-size. */
   openModel(args: {
@@ -175,6 +258,24 @@ export interface Kernel {
    * `targets` holds one column-major 4×4 per handle, end to end. `settle: false` stops after the first solve.
    */
   deform(args: { deform: DeformId; targets: Float64Array; settle?: boolean }): Deformed;
+
+  /** Cuts both models along their boundaries and factors: once per set of boundaries. Reports progress, can be cancelled. */
+  prepareMerge(args: {
+    source: ModelId;
+    target: ModelId;
+    boundaries: readonly MergeBoundarySpec[];
+    /** Source vertices that may move (dependent only); empty: all. */
+    roi: Uint32Array;
+    /** Source vertices held in place (dependent only), each with a column-major 4×4. */
+    handles: readonly { readonly vertices: Uint32Array; readonly matrix: Float64Array }[];
+    options: MergeOptions;
+  }): PreparedMerge;
+
+  /** The merged model for the keys of each pair of boundaries; a pair without any has its best one found. */
+  merge(args: { merge: MergeId; keys: readonly Uint32Array[]; settle?: boolean }): Merged;
+
+  /** Closed paths around painted vertices, the painted side to their left. */
+  loopsAround(args: { model: ModelId; vertices: Uint32Array }): readonly Uint32Array[];
 
   /** What moving a model's vertices to `positions` did to it. */
   measure(args: { model: ModelId; positions: Float64Array }): Measured;
@@ -205,7 +306,7 @@ export interface Kernel {
   hairField(args: { hair: HairId; stride: number }): FieldVectors;
 
   /** Frees a model or a session. Unknown ids are ignored, so it is safe in any clean-up. */
-  release(args: { id: ModelId | DeformId | HairId }): void;
+  release(args: { id: ModelId | DeformId | MergeId | HairId }): void;
 }
 
 export type Method = keyof Kernel;

@@ -134,7 +134,8 @@ export const removeHandle = (recipe: Recipe, id: string, at: number): Recipe =>
     if (at in step.handles) step.handles.splice(at, 1);
   });
 
-function redirect(recipe: Recipe, from: string, to: string): Recipe {
+/** Lets whatever names one model or step name another. */
+export function redirect(recipe: Recipe, from: string, to: string): Recipe {
   return produce(recipe, (draft) => {
     for (const [at, step] of recipe.steps.entries())
       for (const { path, name } of referencesOf(step)) if (name === from) place(draft.steps[at]!, path, to);

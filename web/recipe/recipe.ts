@@ -5,6 +5,7 @@ import * as v from 'valibot';
 import { fileName, list, oneOf, stepId } from './schema-parts';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
+import { mergeStep } from './steps/merge';
 
 /** The version that is written. `migrations` knows how to read the earlier ones. */
 export const RECIPE_VERSION = 1;
@@ -32,7 +33,7 @@ const output = v.strictObject({
 });
 
 /** One line per step type: the registry of this floor. */
-export const stepSchema = v.variant('type', [deformStep, hairStep]);
+export const stepSchema = v.variant('type', [deformStep, mergeStep, hairStep]);
 
 export const recipeSchema = v.strictObject({
   lissom: v.literal(RECIPE_VERSION),
@@ -47,3 +48,4 @@ export type StepType = Step['type'];
 export type ModelRef = v.InferOutput<typeof modelRef>;
 export type { DeformHandle, DeformStep } from './steps/deform';
 export type { HairStep } from './steps/hair';
+export type { MergeStep } from './steps/merge';

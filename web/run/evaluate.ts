@@ -105,7 +105,8 @@ export class Runner {
       const place = stepPlace(index, step);
       const key = this.#resultKey(step, inputs, settle);
       const outcome = await placed(place, () => this.#outcome(key, () => runnerOf(step).run(step, context)));
-      if (measure && at === steps.length - 1) await this.#measure(outcome, inputs[0]!, signal);
+      if (measure && at === steps.length - 1 && sameVertices(outcome.model, inputs[0]!.model))
+        await this.#measure(outcome, inputs[0]!, signal);
       stages.set(step.id, { model: outcome.model, key, place });
       results.set(step.id, resultOf(recipe, step, inputs[0]!, outcome));
       onProgress(1);
@@ -176,6 +177,9 @@ export class Runner {
 
 const bytesOf = ({ model, strands }: Cached): number =>
   model.positions.byteLength + (strands?.points.byteLength ?? 0) + 1;
+
+/** What a step made anew cannot be measured against what came in. */
+const sameVertices = (a: Model, b: Model): boolean => a.positions.length === b.positions.length;
 
 function resultOf(recipe: Recipe, step: Step, input: ModelResult, outcome: Cached): StepResult {
   const { model, strands, figures, seconds, peakBytes, warnings, measured } = outcome;

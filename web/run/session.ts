@@ -7,10 +7,12 @@ import type {
   DeformId,
   HairId,
   KernelPort,
+  MergeId,
   Method,
   ModelId,
   OpenedHair,
   PreparedDeform,
+  PreparedMerge,
   Result,
   StyledHair,
 } from '../kernel/contract';
@@ -37,6 +39,7 @@ export class KernelSession {
   #epoch: number;
   readonly #models = new Lru<ModelResult>(OPEN_MODELS, ({ opened }) => this.#release(opened.model));
   readonly #prepared = new Lru<PreparedDeform>(SESSIONS, ({ deform }) => this.#release(deform));
+  readonly #merges = new Lru<PreparedMerge>(SESSIONS, ({ merge }) => this.#release(merge));
   readonly #hair = new Lru<HeldHair>(HEADS, ({ opened }) => this.#release(opened.hair));
   readonly #keys = new WeakMap<Model, string>();
 
@@ -62,6 +65,15 @@ export class KernelSession {
     if (known) return known;
     const prepared = await this.call('prepareDeform', args, given);
     this.#prepared.set(key, prepared);
+    return prepared;
+  }
+
+  async prepareMerge(key: string, args: Args<'prepareMerge'>, given: CallOptions): Promise<PreparedMerge> {
+    this.#sync();
+    const known = this.#merges.get(key);
+    if (known) return known;
+    const prepared = await this.call('prepareMerge', args, given);
+    this.#merges.set(key, prepared);
     return prepared;
   }
 
@@ -113,11 +125,12 @@ export class KernelSession {
     if (!this.isStale) return;
     this.#models.clear();
     this.#prepared.clear();
+    this.#merges.clear();
     this.#hair.clear();
     this.#epoch = this.kernel.epoch;
   }
 
-  #release(id: ModelId | DeformId | HairId): void {
+  #release(id: ModelId | DeformId | MergeId | HairId): void {
     // A worker that dies meanwhile has freed it already.
     if (!this.isStale) this.kernel.call('release', { id }).catch(() => {});
   }

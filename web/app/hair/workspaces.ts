@@ -81,7 +81,7 @@ export class Workspaces implements WorkspaceService {
     const { recipe } = document;
     const at = recipe.steps.findIndex(({ id }) => id === document.selection.step);
     const open = recipe.steps[at];
-    if (!open) return;
+    if (!open || open.type === 'merge') return;
     const id = freeId('deform', recipe);
     // Before the hair, which follows the shape it grows on.
     const steps = [
@@ -98,6 +98,7 @@ export class Workspaces implements WorkspaceService {
     const { document } = this.parts;
     const open = edit.stepById(document.recipe, document.selection.step);
     if (!open) return Object.keys(document.recipe.models)[0];
+    if (open.type === 'merge') return open.id;
     return open.type === 'deform' && open.handles.length > 0 ? open.id : open.model;
   }
 }

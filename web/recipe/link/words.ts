@@ -21,5 +21,7 @@ export const WORDS: readonly string[] =
     // built-in models
     'dinosaur critter octopus horse cow bar bunny head-female head-male head-elf body-female body-male ' +
     // more of hair
-    'length max variation map factor volume curlLength flyaways material color melanin redness colorVariation thickness taper'
+    'length max variation map factor volume curlLength flyaways material color melanin redness colorVariation thickness taper ' +
+    // more of merge
+    'sourceKeep targetKeep pose'
   ).split(' ');

@@ -1,0 +1,35 @@
+import type { KernelModule } from '../../../wasm/bindings/kernel';
+import type { MergeId } from '../contract';
+import type { Handlers } from '../serve';
+import type { Registry } from './registry';
+
+/** Merge sessions: factored in slices, then asked as often as a key moves. */
+export function mergeHandlers(
+  wasm: KernelModule,
+  registry: Registry,
+): Pick<Handlers, 'prepareMerge' | 'merge' | 'loopsAround'> {
+  return {
+    async prepareMerge({ source, target, boundaries, roi, handles, options }, job) {
+      const meshes = [
+        registry.get(source, wasm.WorkingMesh),
+        registry.get(target, wasm.WorkingMesh),
+      ] as const;
+      const session = new wasm.MergeSession(...meshes, boundaries, roi, handles, options);
+      try {
+        await job.advance(
+          () => session.step(),
+          () => session.fraction(),
+        );
+        const figures = session.figures();
+        return { merge: registry.add<MergeId>(session), ...figures, peakBytes: wasm.peakBytes() };
+      } catch (error) {
+        session.delete();
+        throw error;
+      }
+    },
+
+    merge: ({ merge, keys, settle = true }) => registry.get(merge, wasm.MergeSession).merge(keys, settle),
+
+    loopsAround: ({ model, vertices }) => wasm.loopsAround(registry.get(model, wasm.WorkingMesh), vertices),
+  };
+}

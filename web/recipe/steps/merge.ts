@@ -1,0 +1,44 @@
+import * as v from 'valibot';
+import { index, list, matrix, reference, stepId, vertexSet } from '../schema-parts';
+
+const key = v.strictTuple([index, index], 'a pair of a source vertex and a target vertex');
+
+const boundary = v.strictObject({
+  source: list(index),
+  target: list(index),
+  /** None: the best one is found. */
+  keys: v.optional(list(key), []),
+  /** Vertices of the side to keep, where the loop is a path across the surface; none: the side to its left. */
+  sourceKeep: v.optional(vertexSet, []),
+  targetKeep: v.optional(vertexSet, []),
+});
+
+const handle = v.strictObject({
+  vertices: vertexSet,
+  matrix: v.optional(matrix),
+  name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
+});
+
+const ROUNDS = 'a whole number from 0 to 100';
+
+/**
+ * Joins a source to a target along pairs of boundaries (Fu ch. 3). Vertex indices are those of the step's two input
+ * models. `roi`, `handles` and `pose` are read by dependent merging.
+ */
+export const mergeStep = v.strictObject({
+  id: stepId,
+  type: v.literal('merge'),
+  source: reference,
+  target: reference,
+  mode: v.optional(v.picklist(['independent', 'dependent']), 'independent'),
+  boundaries: list(boundary),
+  roi: v.optional(vertexSet, 'all'),
+  handles: v.optional(list(handle), []),
+  pose: v.optional(matrix),
+  smoothing: v.optional(
+    v.pipe(v.number(), v.integer(ROUNDS), v.minValue(0, ROUNDS), v.maxValue(100, ROUNDS)),
+    1,
+  ),
+});
+
+export type MergeStep = v.InferOutput<typeof mergeStep>;

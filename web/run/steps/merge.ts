@@ -1,0 +1,112 @@
+// The merge step: cut and factored once per set of boundaries, then only the keys change.
+
+import { hashValue } from '../../core/hash';
+import { vertexCount } from '../../core/model';
+import { toIndices } from '../../core/vertex-set';
+import type { MergeStep } from '../../recipe/recipe';
+import { mergedModel } from '../merged-model';
+import { checkVertices, vertexSetKey } from '../vertex-sets';
+import type { StepRunner } from './step-runner';
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+export const mergeRunner: StepRunner<MergeStep> = {
+  check(step, path, [source, target]) {
+    for (const [at, boundary] of step.boundaries.entries()) {
+      const place = `${path}.boundaries[${at}]`;
+      if (source) {
+        checkVertices(boundary.source, `${place}.source`, source);
+        checkVertices(boundary.sourceKeep, `${place}.sourceKeep`, source);
+        checkVertices(
+          boundary.keys.map(([vertex]) => vertex),
+          `${place}.keys`,
+          source,
+        );
+      }
+      if (target) {
+        checkVertices(boundary.target, `${place}.target`, target);
+        checkVertices(boundary.targetKeep, `${place}.targetKeep`, target);
+        checkVertices(
+          boundary.keys.map(([, vertex]) => vertex),
+          `${place}.keys`,
+          target,
+        );
+      }
+    }
+    if (!source) return;
+    checkVertices(step.roi, `${path}.roi`, source);
+    for (const [at, { vertices }] of step.handles.entries())
+      checkVertices(vertices, `${path}.handles[${at}].vertices`, source);
+  },
+
+  vertexCount: () => undefined,
+
+  content: (step) => ({ ...prepared(step), keys: step.boundaries.map(({ keys }) => keys) }),
+
+  async run(step, context) {
+    const [source, target] = context.inputs as [(typeof context.inputs)[0], (typeof context.inputs)[0]];
+    const signal = context.signal ? { signal: context.signal } : {};
+    const sources = vertexCount(source.model);
+    const targets = vertexCount(target.model);
+    const ready = await context.kernel.prepareMerge(
+      hashValue({ source: source.key, target: target.key, ...prepared(step) }),
+      {
+        source: source.opened.model,
+        target: target.opened.model,
+        boundaries: step.boundaries.map((boundary) => ({
+          source: Uint32Array.from(boundary.source),
+          target: Uint32Array.from(boundary.target),
+          sourceKeep: toIndices(boundary.sourceKeep, sources),
+          targetKeep: toIndices(boundary.targetKeep, targets),
+        })),
+        roi: step.roi === 'all' ? new Uint32Array() : toIndices(step.roi, sources),
+        handles: step.handles.map(({ vertices, matrix }) => ({
+          vertices: toIndices(vertices, sources),
+          matrix: Float64Array.from(matrix ?? IDENTITY),
+        })),
+        options: {
+          mode: step.mode,
+          smoothing: step.smoothing,
+          ...(step.pose ? { pose: Float64Array.from(step.pose) } : {}),
+        },
+      },
+      { ...signal, onProgress: (fraction) => context.onProgress(0.9 * fraction) },
+    );
+    const keys = step.boundaries.map((boundary) => Uint32Array.from(boundary.keys.flat()));
+    const merged = await context.kernel.call(
+      'merge',
+      { merge: ready.merge, keys, settle: context.settle },
+      signal,
+    );
+    const { vertices, ...dihedrals } = merged.seam;
+    return {
+      model: mergedModel(target.model, source.model, merged),
+      figures: {
+        free: ready.free,
+        degenerate: ready.degenerate,
+        seamVertices: vertices,
+        eulerCharacteristic: merged.eulerCharacteristic,
+        seam: dihedrals,
+        sourceTurned: merged.sourceTurned,
+      },
+      seconds: { ...ready.seconds, ...merged.seconds },
+      peakBytes: ready.peakBytes,
+      warnings: [...ready.warnings, ...merged.warnings],
+    };
+  },
+};
+
+/** What is cut and factored: everything but the keys. Names are for the eye only. */
+const prepared = (step: MergeStep): object => ({
+  mode: step.mode,
+  boundaries: step.boundaries.map(({ source, target, sourceKeep, targetKeep }) => [
+    vertexSetKey(source),
+    vertexSetKey(target),
+    vertexSetKey(sourceKeep),
+    vertexSetKey(targetKeep),
+  ]),
+  roi: vertexSetKey(step.roi),
+  handles: step.handles.map(({ vertices, matrix }) => [vertexSetKey(vertices), matrix ?? IDENTITY]),
+  pose: step.pose ?? IDENTITY,
+  smoothing: step.smoothing,
+});
