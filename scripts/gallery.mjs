@@ -2,6 +2,7 @@
 // the recipes can be made again when a model changes. Run by hand: node scripts/gallery.mjs
 
 import { readFileSync, writeFileSync } from 'node:fs';
+import { hairExamples } from './gallery-hair.mjs';
 
 const folder = new URL('../public/gallery/', import.meta.url);
 const OWN = 'Own work, CC0 1.0';
@@ -17,6 +18,8 @@ const models = [
   ['body-female', 'Body, female', HUMAN],
   ['body-male', 'Body, male', HUMAN],
   ['head-female', 'Head, female', HUMAN],
+  ['head-male', 'Head, male', HUMAN],
+  ['head-elf', 'Head, elf', HUMAN],
 ];
 
 /** Positions of a binary little-endian PLY whose vertices begin with float x, y, z. */
@@ -185,6 +188,7 @@ const examples = [
   ['critter-waving', 'Critter, waving', 'critter', critter()],
   ['bar-twisted', 'Bar, twisted', 'bar', bar()],
   ['octopus-curled', 'Octopus, curled up', 'octopus', octopus()],
+  ...hairExamples(folder),
 ];
 
 const write = (file, value) => writeFileSync(new URL(file, folder), `${JSON.stringify(value)}\n`);
@@ -198,12 +202,17 @@ const index = {
     title,
     licence,
     vertices: positionsOf(name).length,
+    ...(name.startsWith('head-') && { scalp: true }),
   })),
   examples: examples.map(([name, title, model]) => ({ name, title, model, file: `recipes/${name}.json` })),
 };
 writeFileSync(new URL('index.json', folder), `${JSON.stringify(index, null, 2)}\n`);
 for (const [name, , , made] of [['first', '', '', dinosaur()], ...examples]) {
-  const { roi, handles } = made.steps[0];
+  const { roi, handles, streams } = made.steps[0];
+  if (streams) {
+    console.log(name, 'streams', streams.length);
+    continue;
+  }
   const size = (set) =>
     set === 'all' ? 'all' : (set.ranges?.reduce((n, [a, b]) => n + b - a + 1, 0) ?? set.length);
   console.log(name, 'region', size(roi), 'handles', handles.map(({ vertices }) => size(vertices)).join(' '));
