@@ -5,6 +5,8 @@ import { version } from '../../package.json';
 import { LissomError } from '../core/errors';
 import type { ModelFormat } from '../core/model';
 import { writeModel } from '../io/formats';
+import { groomFile } from '../io/strands/groom-file';
+import type { StrandFormat } from '../io/strands/options';
 import type { KernelPort } from '../kernel/contract';
 import { extensionOf } from '../recipe/cross-checks';
 import { formatRecipe } from '../recipe/format';
@@ -106,8 +108,12 @@ function outputsOf(
 ): Map<string, Uint8Array | string> {
   const files = new Map<string, Uint8Array | string>();
   for (const { step, file } of recipe.outputs) {
-    const { model } = results.get(step)!;
-    files.set(path.resolve(folder, file), writeModel(model, extensionOf(file) as ModelFormat));
+    const { model, strands } = results.get(step)!;
+    const extension = extensionOf(file);
+    const bytes = strands
+      ? groomFile(step, strands, model, extension as StrandFormat)
+      : writeModel(model, extension as ModelFormat);
+    files.set(path.resolve(folder, file), bytes);
   }
   return files;
 }

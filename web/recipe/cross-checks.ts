@@ -1,7 +1,7 @@
 // What a schema cannot say: names that must be unique, references that must lead somewhere.
 
 import { pathText, recipeError } from './problem';
-import { OUTPUT_EXTENSIONS, type Recipe, type Step, stepSchema } from './recipe';
+import { outputExtensions, type Recipe, type Step, stepSchema } from './recipe';
 import { reference } from './schema-parts';
 
 /** One place where a step names a model or an earlier step. */
@@ -45,16 +45,17 @@ export function crossCheck(recipe: Recipe): void {
   checkOutputs(recipe, ids);
 }
 
-function checkOutputs({ outputs }: Recipe, ids: ReadonlySet<string>): void {
+function checkOutputs({ outputs, steps }: Recipe, ids: ReadonlySet<string>): void {
   const files = new Set<string>();
   for (const [at, { step, file }] of outputs.entries()) {
     const wrong = (field: string, message: string) => recipeError(pathText(['outputs', at, field]), message);
-    if (!ids.has(step))
-      throw wrong('step', `there is no step ${quoted(step)}; the steps are ${listed(ids)}.`);
-    if (!OUTPUT_EXTENSIONS.includes(extensionOf(file)))
+    const made = steps.find(({ id }) => id === step);
+    if (!made) throw wrong('step', `there is no step ${quoted(step)}; the steps are ${listed(ids)}.`);
+    const known = outputExtensions(made.type);
+    if (!known.includes(extensionOf(file)))
       throw wrong(
         'file',
-        `cannot write ${quoted(file)}; end its name in ${OUTPUT_EXTENSIONS.map((e) => `.${e}`).join(', ')}.`,
+        `cannot write ${quoted(file)}; end its name in ${known.map((extension) => `.${extension}`).join(', ')}.`,
       );
     if (files.has(file)) throw wrong('file', `${quoted(file)} is written twice; choose another name.`);
     files.add(file);

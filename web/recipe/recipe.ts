@@ -10,8 +10,12 @@ import { mergeStep } from './steps/merge';
 /** The version that is written. `migrations` knows how to read the earlier ones. */
 export const RECIPE_VERSION = 1;
 
-/** Formats that an output can be written in, by its file's extension. */
-export const OUTPUT_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
+const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
+const STRAND_EXTENSIONS: readonly string[] = ['abc', 'usda', 'hair', 'glb', 'obj', 'ply'];
+
+/** Formats that a step's output can be written in, by its file's extension. */
+export const outputExtensions = (type: Step['type']): readonly string[] =>
+  type === 'hair' ? STRAND_EXTENSIONS : MESH_EXTENSIONS;
 
 /** Names of models: short, printable, usable as a file stem. */
 const name = v.pipe(
