@@ -61,21 +61,28 @@ GridBilaplacian::GridBilaplacian(const Vector3i& size) : size_(size), inverse_(s
     for (int d = 0; d < 3; ++d) table_ = along(table_, shape, d, image[d]);
 }
 
-MatrixXd GridBilaplacian::apply_inverse(const MatrixXd& f) const { return filtered(f, inverse_); }
-
-MatrixXd GridBilaplacian::apply_inverse(const MatrixXd& f, double shift) const {
-    Eigen::VectorXd factors = inverse_.array() / (1 + shift * inverse_.array());
-    factors[0] = 1 / shift;
-    return filtered(f, factors);
+GridBilaplacian::Modes GridBilaplacian::smoothest(const std::vector<Vector3i>& nodes, int per_axis) const {
+    const Vector3i n = size_.cwiseMin(per_axis);
+    Modes modes{MatrixXd(static_cast<Index>(nodes.size()), n.prod()), Eigen::VectorXd(n.prod())};
+    Index column = 0;
+    for (int z = 0; z < n.z(); ++z)
+        for (int y = 0; y < n.y(); ++y)
+            for (int x = 0; x < n.x(); ++x, ++column) {
+                modes.inverse[column] = inverse_[x + Index(size_.x()) * (y + Index(size_.y()) * z)];
+                for (std::size_t i = 0; i < nodes.size(); ++i)
+                    modes.values(static_cast<Index>(i), column) =
+                        cosine_[0](x, nodes[i].x()) * cosine_[1](y, nodes[i].y()) * cosine_[2](z, nodes[i].z());
+            }
+    return modes;
 }
 
-MatrixXd GridBilaplacian::filtered(const MatrixXd& f, const Eigen::VectorXd& factors) const {
+MatrixXd GridBilaplacian::apply_inverse(const MatrixXd& f) const {
     MatrixXd out(f.rows(), f.cols());
     for (Index c = 0; c < f.cols(); ++c) {
         std::vector<double> box(f.col(c).data(), f.col(c).data() + f.rows());
         Vector3i shape = size_;
         for (int d = 0; d < 3; ++d) box = along(box, shape, d, cosine_[d]);
-        Eigen::Map<Eigen::VectorXd>(box.data(), factors.size()).array() *= factors.array();
+        Eigen::Map<Eigen::VectorXd>(box.data(), inverse_.size()).array() *= inverse_.array();
         for (int d = 0; d < 3; ++d) box = along(box, shape, d, cosine_[d].transpose());
         out.col(c) = Eigen::Map<const Eigen::VectorXd>(box.data(), f.rows());
     }

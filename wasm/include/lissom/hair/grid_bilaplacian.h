@@ -21,8 +21,12 @@ public:
     /// (Δ²)⁺ applied to each column of `f` (count×k): what is constant in `f` is dropped.
     [[nodiscard]] Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& f) const;
 
-    /// (Δ² + shift)⁻¹ applied to each column of `f`, constants included. @param shift  above 0
-    [[nodiscard]] Eigen::MatrixXd apply_inverse(const Eigen::MatrixXd& f, double shift) const;
+    /// The smoothest eigenvectors at some nodes: those with k_d < `per_axis`, the constant first.
+    struct Modes {
+        Eigen::MatrixXd values;  ///< one row a node, one column a mode
+        Eigen::VectorXd inverse; ///< of their eigenvalues; 0 for the constant
+    };
+    [[nodiscard]] Modes smoothest(const std::vector<Eigen::Vector3i>& nodes, int per_axis) const;
 
     /// Entry (p, q) of (Δ²)⁺: the field at node p of a unit load at node q (and its mean taken off).
     /// Eight look-ups, by reflection at the walls.
@@ -33,8 +37,6 @@ public:
                                         const std::vector<Eigen::Vector3i>& columns) const;
 
 private:
-    [[nodiscard]] Eigen::MatrixXd filtered(const Eigen::MatrixXd& f, const Eigen::VectorXd& factors) const;
-
     Eigen::Vector3i size_;
     Eigen::MatrixXd cosine_[3];     // orthonormal DCT-II, row k is φ_k
     Eigen::VectorXd inverse_;       // 1/λ_k², 0 for the constant
