@@ -286,123 +286,128 @@ function parted(hand) {
   };
 }
 
-/** Chin long, with a fringe, turned in at the ends. */
+/** Chin long, parted at the side, turned in at the ends. */
 function bob(hand) {
-  const turnedIn = [
-    [0.015, 0.1, 0],
-    [-0.005, 0.08, 0],
-    [-0.03, 0.06, 0.005],
-    [-0.05, 0.025, 0.005],
+  const beside = [
+    [0.012, 0.1, -0.004],
+    [0, 0.08, -0.004],
+    [-0.015, 0.05, -0.004],
+    [-0.035, 0.03, -0.004],
   ];
   const behind = [
-    [0.01, 0.1, -0.015],
-    [0, 0.08, 0.005],
-    [-0.01, 0.06, 0.035],
-    [-0.01, 0.025, 0.05],
+    [0.004, 0.1, -0.012],
+    [0, 0.08, 0],
+    [0, 0.05, 0.008],
+    [0, 0.03, 0.012],
   ];
+  const full = { lift: 0.07 };
   return {
-    streams: both([
+    partings: [
+      hand.parting([
+        [24, 50],
+        [34, 72],
+        [90, 82],
+      ]),
+    ],
+    streams: [
       hand.stream(
         hand.hang(
           hand.skin(
             [
-              [0, 86],
-              [0, 60],
-              [0, 42],
+              [30, 52],
+              [52, 40],
+              [70, 12],
+              [80, -14],
             ],
-            { lift: 0.05 },
+            full,
           ),
-          [
-            [0, 0.06, 0.004],
-            [0, 0.06, -0.012],
-          ],
-        ),
-        true,
-      ),
-      hand.stream(
-        hand.hang(
-          hand.skin(
-            [
-              [30, 80],
-              [26, 56],
-              [24, 38],
-            ],
-            { lift: 0.05 },
-          ),
-          [
-            [0, 0.06, 0],
-            [0, 0.06, -0.012],
-          ],
-        ),
-        true,
-      ),
-      hand.stream(
-        hand.hang(
-          hand.skin(
-            [
-              [70, 78],
-              [64, 44],
-              [66, 12],
-            ],
-            { lift: 0.06 },
-          ),
-          turnedIn,
+          beside,
         ),
       ),
       hand.stream(
         hand.hang(
           hand.skin(
             [
-              [100, 76],
-              [96, 40],
-              [95, 4],
+              [18, 54],
+              [-30, 54],
+              [-64, 24],
+              [-80, -14],
             ],
-            { lift: 0.07 },
+            full,
           ),
-          turnedIn,
+          beside,
         ),
       ),
       hand.stream(
         hand.hang(
           hand.skin(
             [
-              [135, 74],
-              [130, 36],
-              [128, 0],
+              [50, 76],
+              [84, 48],
+              [96, 4],
             ],
-            { lift: 0.06 },
+            full,
           ),
-          turnedIn,
+          beside,
         ),
       ),
       hand.stream(
         hand.hang(
           hand.skin(
             [
-              [160, 74],
-              [158, 36],
-              [157, 0],
+              [20, 76],
+              [-70, 66],
+              [-92, 34],
+              [-97, 2],
             ],
-            { lift: 0.06 },
+            full,
           ),
-          behind,
+          beside,
         ),
       ),
-      hand.stream(
-        hand.hang(
-          hand.skin(
-            [
-              [180, 74],
-              [180, 36],
-              [180, 0],
-            ],
-            { lift: 0.06 },
+      ...both([
+        hand.stream(
+          hand.hang(
+            hand.skin(
+              [
+                [125, 78],
+                [126, 36],
+                [126, 0],
+              ],
+              full,
+            ),
+            beside,
           ),
-          behind,
         ),
-      ),
-    ]),
-    length: { max: 0.23, variation: 0.06 },
+        hand.stream(
+          hand.hang(
+            hand.skin(
+              [
+                [158, 76],
+                [157, 36],
+                [156, 0],
+              ],
+              full,
+            ),
+            behind,
+          ),
+        ),
+        hand.stream(
+          hand.hang(
+            hand.skin(
+              [
+                [180, 76],
+                [180, 36],
+                [180, 0],
+              ],
+              full,
+            ),
+            behind,
+          ),
+        ),
+      ]),
+    ],
+    length: { max: 0.19, variation: 0.06 },
     volume: 0.012,
     detail: { clump: 0.35, frizz: 0.1, flyaways: 0.01 },
     material: { melanin: 0.97, redness: 0.05, colorVariation: 0.1 },
@@ -479,9 +484,29 @@ function ponytail(hand) {
       hand.stream(
         hand.skin(
           [
-            [180, -28],
-            [180, 0],
+            [180, -46],
+            [180, -10],
             [180, 22],
+          ],
+          tied,
+        ),
+      ),
+      hand.stream(
+        hand.skin(
+          [
+            [152, -44],
+            [160, -12],
+            [170, 20],
+          ],
+          tied,
+        ),
+      ),
+      hand.stream(
+        hand.skin(
+          [
+            [128, -36],
+            [146, -8],
+            [166, 20],
           ],
           tied,
         ),
@@ -515,7 +540,7 @@ function pigtails(hand) {
         [0, 82],
         [180, 60],
         [180, 20],
-        [180, -14],
+        [180, -46],
       ]),
     ],
     streams: both([
@@ -565,6 +590,36 @@ function pigtails(hand) {
             [172, -10],
             [150, -8],
             [128, -2],
+          ],
+          tied,
+        ),
+      ),
+      hand.stream(
+        hand.skin(
+          [
+            [172, -44],
+            [152, -28],
+            [128, -8],
+          ],
+          tied,
+        ),
+      ),
+      hand.stream(
+        hand.skin(
+          [
+            [160, -56],
+            [146, -36],
+            [126, -10],
+          ],
+          tied,
+        ),
+      ),
+      hand.stream(
+        hand.skin(
+          [
+            [146, -46],
+            [136, -28],
+            [124, -8],
           ],
           tied,
         ),

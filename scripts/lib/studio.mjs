@@ -57,16 +57,24 @@ export async function drawn({ width, height, quality = 0.85 }) {
   return btoa(String.fromCharCode(...new Uint8Array(await blob.arrayBuffer())));
 }
 
-/** In the page: nothing but the model, seen from near. */
-export async function bare({ distance }) {
+/**
+ * In the page: nothing but the model, seen from near, or as `camera` sees it.
+ *
+ * @returns the camera, for the next picture of the same subject
+ */
+export async function bare({ view = 'home', distance = 1, camera }) {
   const { app } = window.__lissom;
+  const drawn = async () => {
+    for (let i = 0; i < 3; i++) await new Promise(requestAnimationFrame);
+  };
   app.state.display.value = { ...app.state.display.value, grid: false };
-  await new Promise((done) => setTimeout(done, 300));
+  await drawn();
   app.viewport.setRegions([]);
   app.viewport.setMarkers([]);
-  app.viewport.setView('home');
-  await new Promise((done) => setTimeout(done, 300));
+  app.viewport.setView(view);
+  await drawn();
   const { position, target, orthographic } = app.viewport.camera;
   const nearer = position.map((x, i) => target[i] + distance * (x - target[i]));
-  app.viewport.camera = { position: nearer, target, orthographic };
+  app.viewport.camera = camera ?? { position: nearer, target, orthographic };
+  return app.viewport.camera;
 }
