@@ -18,6 +18,7 @@ import type { FileDialogs } from './file-dialogs';
 import { Files } from './files';
 import { Gallery } from './gallery';
 import { HairActions } from './hair/actions';
+import { syncField } from './hair/field-sync';
 import { AppHairHost } from './hair/host';
 import { syncHair } from './hair/view-sync';
 import { Workspaces } from './hair/workspaces';
@@ -117,7 +118,8 @@ export function buildApp(world: World): BuiltApp {
       if (state.previewing.peek()) document.cancel();
       return active;
     };
-    stops.push(view.stop, stopHair, () => viewport.setPointerHandler(null));
+    const stopField = syncField({ viewport, state, evaluator, runner, failed });
+    stops.push(view.stop, stopHair, stopField, () => viewport.setPointerHandler(null));
   }
 
   const gestures = { cancel: () => cancelGesture(), back: () => goBack() };

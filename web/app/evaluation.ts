@@ -154,6 +154,16 @@ export class Evaluator {
       const strands = shown.strands && withLook(shown.strands, step.material);
       return finished({ ...shown, strands }, shown.settled);
     }
+    if (shown?.step.id !== step.id) {
+      // A head takes its time to be prepared; until then it is seen bare rather than not at all.
+      const input = await this.runner.input(
+        recipe,
+        step.id,
+        options.signal ? { signal: options.signal } : {},
+      );
+      const bare = { input, positions: input.model.positions, strands: null, report: null };
+      if (!options.signal?.aborted) this.#result.value = finished(bare, false);
+    }
     if (live || !alike) {
       const first = await runHair(this.runner, recipe, step, { ...options, settle: false });
       if (live || !first.strands) return finished(first);

@@ -1,6 +1,7 @@
 // The status bar's numbers and "what the edit did", worked out from each result.
 
 import { batch, effect } from '@preact/signals';
+import type { Finding } from '../core/errors';
 import { faceCount, vertexCount } from '../core/model';
 import { toIndices } from '../core/vertex-set';
 import type { Measured, OpenedModel } from '../kernel/contract';
@@ -88,11 +89,19 @@ function publish(state: State, evaluation: Evaluation | null): void {
   };
   const isHair = evaluation.step.type === 'hair';
   state.hair.figures.value = isHair ? hairFigures(evaluation, state.hair.figures.peek()) : null;
-  state.warnings.value = report?.warnings ?? [];
+  state.warnings.value = warningsOf(evaluation);
   if (!report || isHair) {
     state.whatItDid.value = null;
     state.stretch.value = null;
   }
+}
+
+/** A head is open at the neck and has eyes: what its file is like is no news where hair is grown. */
+function warningsOf({ step, report, input }: Evaluation): readonly Finding[] {
+  const all = report?.warnings ?? [];
+  if (step.type !== 'hair') return all;
+  const known = new Set(input.opened.findings.map(({ code }) => code));
+  return all.filter(({ code }) => !known.has(code));
 }
 
 export function whatItDid(

@@ -11,6 +11,7 @@ import type { Recipe, Step } from '../recipe/recipe';
 import { modelPlace, type Plan, plan, stepPlace } from './plan';
 import { KernelSession } from './session';
 import { runnerOf } from './steps/all';
+import { type HairField, hairField } from './steps/hair';
 import type { StepOutcome } from './steps/step-runner';
 import { type ModelResult, type ModelSource, placed, type StepResult } from './types';
 
@@ -84,6 +85,31 @@ export class Runner {
         const stages = this.#stages(recipe, planned);
         await this.#run(recipe, planned, signal ? { signal } : {}, stages);
         return this.#open(stages.get(name)!, signal);
+      });
+    });
+  }
+
+  /**
+   * The field of a hair step at every `stride`-th node along each axis, for showing it.
+   *
+   * @throws LissomError  as `run`; `step-not-found` where the step grows no hair
+   */
+  hairField(
+    recipe: Recipe,
+    id: string,
+    { stride, signal }: { readonly stride: number; readonly signal?: AbortSignal },
+  ): Promise<HairField> {
+    return this.#inTurn(async () => {
+      const planned = await plan(recipe, this.#source, id);
+      const { step, index } = planned.steps.at(-1) ?? {};
+      if (step?.type !== 'hair') throw new LissomError('step-not-found', `The step ${id} grows no hair.`);
+      return this.#persistently(signal, async () => {
+        const stages = this.#stages(recipe, planned);
+        const before = { ...planned, steps: planned.steps.slice(0, -1) };
+        await this.#run(recipe, before, signal ? { signal } : {}, stages);
+        const inputs = [await this.#open(stages.get(step.model)!, signal)];
+        const context = { inputs, kernel: this.#session, settle: true, signal, onProgress: () => {} };
+        return placed(stepPlace(index!, step), () => hairField(step, context, stride));
       });
     });
   }

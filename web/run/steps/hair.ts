@@ -6,10 +6,10 @@ import { hairColor } from '../../core/melanin';
 import { type Model, vertexCount } from '../../core/model';
 import type { StrandLook, Strands } from '../../core/strands';
 import { toIndices, type VertexSet } from '../../core/vertex-set';
-import type { HairOptions, HairStyle, OpenedHair } from '../../kernel/contract';
+import type { FieldVectors, HairOptions, HairStyle, OpenedHair } from '../../kernel/contract';
 import type { HairStep } from '../../recipe/recipe';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
-import type { StepRunner } from './step-runner';
+import type { StepContext, StepRunner } from './step-runner';
 
 /** Strands that follow a stroke while it is being drawn: the first of all of them. */
 export const PREVIEW_STRANDS = 4000;
@@ -35,21 +35,10 @@ export const hairRunner: StepRunner<HairStep> = {
   }),
 
   async run(step, context) {
-    const input = context.inputs[0]!;
-    const { model } = input;
+    const { model } = context.inputs[0]!;
     const signal = context.signal ? { signal: context.signal } : {};
-    const scalp = scalpOf(step, model);
-    const { resolution } = step.grid;
-    const up = model.upAxis ?? 'y';
-    const headKey = hashValue({ model: input.key, scalp: scalp.key, resolution, up });
-    const opened = await context.kernel.openHair(
-      headKey,
-      { model: input.opened.model, scalp: scalp.vertices(), resolution, up },
-      { ...signal, onProgress: (fraction) => context.onProgress(0.3 * fraction) },
-    );
+    const { opened, styled } = await styleHead(step, context);
     const { hair } = opened;
-    const style = { hair, style: styleArgs(step) };
-    const styled = await context.kernel.styleHair(headKey, hashValue(styleOf(step)), style, signal);
     const count = context.settle ? step.strands.count : Math.min(step.strands.count, PREVIEW_STRANDS);
     const grown = await context.kernel.call(
       'growHair',
@@ -85,6 +74,34 @@ export const hairRunner: StepRunner<HairStep> = {
     };
   },
 };
+
+/** The head ready for hair, with the step's style. */
+async function styleHead(step: HairStep, { inputs, kernel, signal: stop, onProgress }: StepContext) {
+  const input = inputs[0]!;
+  const signal = stop ? { signal: stop } : {};
+  const scalp = scalpOf(step, input.model);
+  const { resolution } = step.grid;
+  const up = input.model.upAxis ?? 'y';
+  const headKey = hashValue({ model: input.key, scalp: scalp.key, resolution, up });
+  const opened = await kernel.openHair(
+    headKey,
+    { model: input.opened.model, scalp: scalp.vertices(), resolution, up },
+    { ...signal, onProgress: (fraction) => onProgress(0.3 * fraction) },
+  );
+  const style = { hair: opened.hair, style: styleArgs(step) };
+  const styled = await kernel.styleHair(headKey, hashValue(styleOf(step)), style, signal);
+  return { opened, styled };
+}
+
+/** What a hair step's strands follow, and the volume they may fill. */
+export interface HairField extends FieldVectors, Pick<OpenedHair, 'grid' | 'low' | 'high'> {}
+
+export async function hairField(step: HairStep, context: StepContext, stride: number): Promise<HairField> {
+  const { opened } = await styleHead(step, context);
+  const { grid, low, high, hair } = opened;
+  const signal = context.signal ? { signal: context.signal } : {};
+  return { grid, low, high, ...(await context.kernel.call('hairField', { hair, stride }, signal)) };
+}
 
 /** What the field depends on. Names and hiding are for the eye only. */
 const styleOf = ({ streams, partings, ponytails }: Pick<HairStep, 'streams' | 'partings' | 'ponytails'>) => ({
