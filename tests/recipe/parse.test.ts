@@ -75,7 +75,11 @@ const bent = example().outputs[0];
 
 describe('what is wrong is said with its place and what to do', () => {
   test.each<[string, string, unknown]>([
-    ['steps[0].type: unknown step type "explode"; known types are deform, merge, hair.', 'steps.0.type', 'explode'],
+    [
+      'steps[0].type: unknown step type "explode"; known types are deform, merge, hair.',
+      'steps.0.type',
+      'explode',
+    ],
     [
       'steps[0].handles[1].matrix: expected a matrix of 16 numbers, found a list of 2.',
       'steps.0.handles.1.matrix',

@@ -33,7 +33,6 @@ export function Dialog({ title, closeLabel, onClose, wide, children, footer }: P
     };
   }, []);
   return (
-    // biome-ignore lint/a11y/useKeyWithClickEvents: the click only serves the backdrop; Escape is the dialog's own
     <dialog
       ref={ref}
       class={wide ? 'dialog wide' : 'dialog'}
