@@ -53,16 +53,14 @@ TEST_CASE("merged tubes are one watertight, consistently oriented surface of the
     for (const Pair& pair : pairs()) {
         CAPTURE(pair.name);
         const WorkingMesh source = shapes::working(pair.source), target = shapes::working(pair.target);
-        const MergeResult result = merged(source, target, pair.boundaries, pair.keys);
+        const MergeResult result = merged(source, target, pair.boundaries, pair.keys, {.smoothing = 1});
         CHECK_FALSE(result.source_turned);
         CHECK(result.model.euler_characteristic == pair.euler);
         const TriangleMesh mesh = mesh_of(result.model, pair.source, pair.target);
         check_manifold(mesh, pair.euler);
         CHECK(signed_volume(mesh) > 0);
-        MESSAGE(pair.name, ": seam ", result.seam.vertices, " median ", result.seam.median_dihedral, " p90 ", result.seam.high_dihedral, " max ",
-                result.seam.max_dihedral, " own p90 ", result.seam.own_high_dihedral, " least angle ", result.seam.least_angle);
         CHECK(result.seam.least_angle > 1);
-        CHECK(result.seam.high_dihedral < std::max(20.0, result.seam.own_high_dihedral));
+        CHECK(result.seam.high_dihedral < result.seam.own_high_dihedral);
     }
 }
 
@@ -80,7 +78,6 @@ TEST_CASE("where the source stands, how it is turned and how large it is do not 
             CHECK(other.model.cut_vertices == plain.model.cut_vertices);
             worst = std::max(worst, (other.model.positions - plain.model.positions).rowwise().norm().maxCoeff());
         }
-        MESSAGE(pair.name, ": worst ", worst / diagonal(pair.target.points));
         CHECK(worst < 1e-6 * diagonal(pair.target.points));
     }
 }
@@ -121,6 +118,5 @@ TEST_CASE("a part cut off and merged back to where it was returns to its place")
     CHECK(result.model.euler_characteristic == 2);
     double worst = 0;
     for (const int v : cap) worst = std::max(worst, (result.model.positions.row(result.model.source.result_of_vertex[v]) - ball.points.row(v)).norm());
-    MESSAGE("worst ", worst);
     CHECK(worst < 0.05 * diagonal(ball.points));
 }
