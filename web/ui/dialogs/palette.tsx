@@ -35,7 +35,6 @@ export function Palette({ onClose }: { onClose: () => void }) {
   };
 
   return (
-    // biome-ignore lint/a11y/useKeyWithClickEvents: the click only serves the backdrop; Escape is the dialog's own
     <dialog
       ref={dialog}
       class="dialog palette"
