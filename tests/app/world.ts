@@ -3,7 +3,7 @@
 import { type BuiltApp, buildApp, type World } from '../../web/app/app';
 import type { SaveOptions } from '../../web/app/file-dialogs';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
-import type { Args, DeformId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
 
 /** A cube of eight vertices and twelve triangles. */
 export const CUBE_OBJ = [
@@ -29,6 +29,8 @@ export class FakeKernel implements KernelPort {
   readonly calls: Method[] = [];
   /** Settle arguments of the deform calls, in order. */
   readonly settles: (boolean | undefined)[] = [];
+  /** Strands asked for, call by call. */
+  readonly grown: number[] = [];
   /** Awaited before a call is answered. */
   before: (method: Method) => Promise<void> = async () => {};
   /** Seconds a solve claims to take. */
@@ -91,6 +93,37 @@ export class FakeKernel implements KernelPort {
       flippedTriangles: 0,
       stretch: new Float32Array(positions.length / 3),
     }),
+    openHair: () => ({
+      hair: 1 as HairId,
+      grid: [4, 4, 4],
+      low: [-1, -1, -1],
+      high: [2, 2, 2],
+      headHeight: 1,
+      seconds: { prepare: 0.1 },
+      peakBytes: 1,
+    }),
+    styleHair: ({ style }) => ({
+      constraints: 10 * (style.streams.length + style.partings.length + style.ponytails.length),
+      warnings: [],
+      seconds: { update: 0.01, field: 0.02 },
+    }),
+    growHair: ({ count }) => {
+      this.grown.push(count);
+      return {
+        offsets: Uint32Array.from({ length: count + 1 }, (_, i) => 2 * i),
+        points: new Float32Array(6 * count),
+        origin: new Float64Array(3),
+        rootUvs: new Float32Array(2 * count),
+        groups: new Uint32Array(count),
+        insideHead: 0,
+        shortStrands: 0,
+        reached: [],
+        gathered: [],
+        seconds: { grow: 0.3 },
+        peakBytes: 1,
+      };
+    },
+    hairField: () => ({ places: new Float32Array(3), vectors: new Float32Array(3) }),
     release: () => {},
   };
 }

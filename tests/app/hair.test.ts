@@ -1,0 +1,291 @@
+import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import { growsAlike } from '../../web/app/hair/evaluation';
+import { fitted } from '../../web/app/hair/refit';
+import { headHeight } from '../../web/app/hair/steps';
+import { LissomError } from '../../web/core/errors';
+import type { Model } from '../../web/core/model';
+import type { HairStep } from '../../web/recipe/recipe';
+import { newHairStep } from '../../web/recipe/steps/hair';
+import { PREVIEW_STRANDS } from '../../web/run/steps/hair';
+import { file, Tab } from './world';
+
+/** A cube with hair on the top, twice as high for the second head. */
+const head = (height: number): string =>
+  [
+    'ply\nformat ascii 1.0\nelement vertex 8',
+    'property float x\nproperty float y\nproperty float z\nproperty uchar scalp',
+    'element face 12\nproperty list uchar int vertex_indices\nend_header',
+    ...[0, 1, 2, 3, 4, 5, 6, 7].map(
+      (i) => `${(i & 1) - 0.5} ${((i >> 1) & 1) * height} ${(i >> 2) - 0.5} ${(i >> 1) & 1}`,
+    ),
+    '3 0 2 3\n3 0 3 1\n3 4 5 7\n3 4 7 6\n3 0 1 5\n3 0 5 4',
+    '3 2 6 7\n3 2 7 3\n3 0 4 6\n3 0 6 2\n3 1 3 7\n3 1 7 5\n',
+  ].join('\n');
+
+const entry = (name: string) => ({
+  name,
+  file: `${name}.ply`,
+  title: name,
+  licence: '',
+  vertices: 8,
+  scalp: true,
+});
+const GALLERY: Readonly<Record<string, string>> = {
+  'index.json': JSON.stringify({ models: [entry('head-female'), entry('head-male')], examples: [] }),
+  'head-female.ply': head(1),
+  'head-male.ply': head(2),
+};
+
+beforeEach(() => {
+  vi.stubGlobal('fetch', async (address: string) => {
+    const held = GALLERY[address.split('/').at(-1)!];
+    return new Response(held ?? '', { status: held === undefined ? 404 : 200 });
+  });
+});
+afterEach(() => vi.unstubAllGlobals());
+
+const stroke: HairStep['streams'][number] = {
+  points: [
+    [0.1, 1, 0],
+    [0.3, 1, 0.2],
+    [0.6, 0.6, 0.2],
+  ],
+  fade: false,
+};
+
+/** A tab with hair on the first head, and one stream. */
+async function styled(): Promise<Tab> {
+  const tab = new Tab();
+  await tab.app.commands.run('workspace.hair');
+  draw(tab);
+  await tab.app.evaluator.settled();
+  return tab;
+}
+
+function draw(tab: Tab, more: Partial<HairStep> = {}): void {
+  const { document, state } = tab.app;
+  const step = { ...state.hairStep.value!, streams: [stroke], ...more };
+  const steps = document.recipe.steps.map((each) => (each.id === step.id ? step : each));
+  document.commit('Draw', { ...document.recipe, steps }, { step: step.id, handle: 0 });
+}
+
+const step = (tab: Tab): HairStep => tab.app.state.hairStep.value!;
+
+test('the hair workspace opens on a head, with the stream tool in hand', async () => {
+  const tab = new Tab();
+  await tab.app.commands.run('workspace.hair');
+  await tab.app.evaluator.settled();
+  const { state, document } = tab.app;
+  expect(state.workspace.value).toBe('hair');
+  expect(state.tool.value).toBe('stream');
+  expect(document.recipe.models).toEqual({ 'head-female': { builtin: 'head-female' } });
+  expect(state.facts.value).toMatchObject({ name: 'head-female', vertices: 8 });
+  expect(tab.toasts).toEqual([]);
+});
+
+test('somebody’s work is joined by a head, and undo takes it out again', async () => {
+  const tab = new Tab();
+  await tab.openCube();
+  await tab.addHandle([0], 'Tip');
+  const before = tab.app.document.recipe;
+  await tab.app.commands.run('workspace.hair');
+  expect(tab.app.document.recipe.steps.map(({ type }) => type)).toEqual(['deform', 'hair']);
+  await tab.app.commands.run('workspace.deform');
+  expect(tab.app.state.workspace.value).toBe('deform');
+  expect(tab.app.state.tool.value).toBe('select');
+  await tab.app.commands.run('workspace.hair');
+  expect(tab.app.document.recipe.steps).toHaveLength(2);
+  while (tab.app.document.recipe !== before) tab.app.document.undo();
+  expect(tab.app.state.workspace.value).toBe('deform');
+});
+
+test('a model of one’s own grows hair once a scalp is painted on it, and not before', async () => {
+  const tab = new Tab();
+  await tab.openCube();
+  tab.app.workspaces.growHere();
+  await tab.app.evaluator.settled();
+  expect(tab.app.state.tool.value).toBe('paint-scalp');
+  expect(tab.app.hair.scalpSize()).toBe(0);
+  expect(tab.kernel.grown).toEqual([]);
+  expect(tab.toasts).toEqual([]);
+  draw(tab, { scalp: [2, 3, 6, 7] });
+  await tab.app.evaluator.settled();
+  expect(tab.app.hair.scalpSize()).toBe(4);
+  expect(tab.app.evaluator.result.value!.strands).not.toBeNull();
+});
+
+test('a head that has hair can be deformed; the hair follows its new shape', async () => {
+  const tab = await styled();
+  await tab.app.commands.run('workspace.deform');
+  const [deform, hair] = tab.app.document.recipe.steps;
+  expect(deform).toMatchObject({ type: 'deform', model: 'head-female' });
+  expect(hair).toMatchObject({ type: 'hair', model: deform!.id });
+});
+
+test('the first strands are there before all of them', async () => {
+  const tab = await styled();
+  const { count } = step(tab).strands;
+  expect(tab.kernel.grown.slice(-2)).toEqual([PREVIEW_STRANDS, count]);
+  expect(tab.app.evaluator.result.value).toMatchObject({ settled: true });
+  expect(tab.app.state.hair.figures.value).toMatchObject({ strands: count, constraints: 10, grow: 300 });
+});
+
+test('while a slider is held only the first strands grow; all of them when it is let go', async () => {
+  const tab = await styled();
+  tab.kernel.grown.length = 0;
+  tab.app.hair.update({ detail: { curl: 0.3 } }, true);
+  await tab.app.evaluator.settled();
+  tab.app.hair.update({ detail: { curl: 0.6 } }, true);
+  await tab.app.evaluator.settled();
+  expect(tab.kernel.grown).toEqual([PREVIEW_STRANDS, PREVIEW_STRANDS]);
+  tab.app.hair.finish();
+  await tab.app.evaluator.settled();
+  expect(tab.kernel.grown.slice(2)).toEqual([step(tab).strands.count]);
+  expect(step(tab).detail.curl).toBe(0.6);
+  tab.app.document.undo();
+  expect(step(tab).detail.curl).toBe(0);
+});
+
+test('a new stroke does not wait for the strands of the last one', async () => {
+  const tab = await styled();
+  let aborted = 0;
+  tab.kernel.before = (method) =>
+    method === 'growHair' && tab.kernel.grown.length === 0
+      ? new Promise((_, reject) => {
+          tab.kernel.grown.push(-1);
+          release = () => reject(new LissomError('cancelled', 'Cancelled.', 'cancelled'));
+          aborted++;
+        })
+      : Promise.resolve();
+  let release = () => {};
+  tab.kernel.grown.length = 0;
+  tab.app.hair.update({ length: { variation: 0.4 } });
+  await vi.waitFor(() => expect(aborted).toBe(1));
+  tab.app.hair.update({ length: { variation: 0.5 } }, true);
+  release();
+  await tab.app.evaluator.settled();
+  expect(tab.app.evaluator.result.value!.step).toMatchObject({ length: { variation: 0.5 } });
+  expect(tab.toasts).toEqual([]);
+});
+
+test('a change of colour finds the strands as they are', async () => {
+  const tab = await styled();
+  const before = tab.app.evaluator.result.value!.strands!;
+  tab.kernel.grown.length = 0;
+  tab.app.hair.update({ material: { melanin: 0.1 } }, true);
+  await tab.app.evaluator.settled();
+  tab.app.hair.update({ material: { color: '#2233ff' } });
+  await tab.app.evaluator.settled();
+  const after = tab.app.evaluator.result.value!.strands!;
+  expect(tab.kernel.grown).toEqual([]);
+  expect(after.points).toBe(before.points);
+  expect(after.look.color).toBe('#2233ff');
+  expect(after.look.thickness).toBe(before.look.thickness);
+});
+
+test('a field set back to its default leaves the recipe', async () => {
+  const tab = await styled();
+  const { material } = step(tab);
+  tab.app.hair.update({ material: { color: '#112233' } });
+  tab.app.hair.update({ material: { color: undefined } });
+  expect(step(tab).material).toEqual(material);
+});
+
+test('curves are named by kind and number until they have names of their own', async () => {
+  const tab = await styled();
+  const { hair } = tab.app;
+  hair.duplicate(0);
+  expect([hair.primitiveName(0), hair.primitiveName(1)]).toEqual(['Stream 1', 'Stream 2']);
+  hair.rename(0, '  Fringe ');
+  expect(hair.primitiveName(0)).toBe('Fringe');
+  expect(hair.primitiveName(1)).toBe('Stream 2');
+  hair.hide(1, true);
+  expect(step(tab).streams[1]!.hidden).toBe(true);
+  expect(tab.app.state.undoLabel.value).toBe('Hide Stream 2');
+  hair.remove(0);
+  expect(step(tab).streams).toHaveLength(1);
+  for (let i = 0; i < 4; i++) tab.app.document.undo();
+  expect(step(tab).streams).toEqual([stroke]);
+});
+
+test('names and hiding grow nothing anew', async () => {
+  const tab = await styled();
+  tab.kernel.grown.length = 0;
+  tab.app.hair.rename(0, 'Fringe');
+  tab.app.hair.hide(0, true);
+  await tab.app.evaluator.settled();
+  expect(tab.kernel.grown).toEqual([]);
+});
+
+test('another head takes the style along: strokes move as the box around the scalp does', async () => {
+  const tab = await styled();
+  await tab.app.hair.setHead('head-male');
+  await tab.app.evaluator.settled();
+  expect(step(tab).model).toBe('head-male');
+  expect(Object.keys(tab.app.document.recipe.models)).toEqual(['head-male']);
+  expect(step(tab).streams[0]!.points.map(([x, , z]) => [x, z])).toEqual(
+    stroke.points.map(([x, , z]) => [x, z]),
+  );
+  expect(step(tab).streams[0]!.points.map(([, y]) => y)).toEqual([2, 2, 1.6]);
+  tab.app.document.undo();
+  expect(step(tab).streams).toEqual([stroke]);
+});
+
+test('a style fitted to its own head stays where it is', () => {
+  const model: Model = {
+    name: 'head',
+    positions: Float64Array.of(0, 0, 0, 1, 2, 0, 0, 2, 1, 1, 2, 1),
+    faceOffsets: Uint32Array.of(0),
+    faceVertices: new Uint32Array(),
+    vertexSets: { scalp: Uint32Array.of(1, 2, 3) },
+  };
+  const own = { ...newHairStep('hair 1', 'head'), streams: [stroke] };
+  const scalp = Uint32Array.of(1, 2, 3);
+  expect(fitted(own, { model, scalp }, model).streams).toEqual(own.streams);
+  expect(headHeight({}, model)).toBe(2);
+  expect(growsAlike(own, { ...own, material: { ...own.material, melanin: 0 } })).toBe(true);
+  expect(growsAlike(own, { ...own, streams: [] })).toBe(false);
+});
+
+test('strands are written in each format offered, and without hair that is said', async () => {
+  const tab = await styled();
+  // The stand-in grows hair of no length; what matters here is that every writer is reached.
+  const shown = tab.app.evaluator.result.value!.strands!;
+  shown.points.forEach((_, i) => {
+    shown.points[i] = (i % 6) / 10;
+  });
+  tab.app.hair.update({ strands: { count: 5 } });
+  for (const { format } of tab.app.files.strandChoices) {
+    const before = tab.saved.length;
+    await tab.app.files.exportStrands(format, false);
+    expect(tab.saved.length, format).toBe(before + 1);
+    expect(tab.saved.at(-1)!.name).toBe(`head-female.${format}`);
+    expect(tab.saved.at(-1)!.bytes.length).toBeGreaterThan(20);
+  }
+  tab.app.hair.update({ strands: { count: 0 } });
+  await expect(tab.app.files.exportStrands('obj', false)).rejects.toThrow('There is no hair yet');
+});
+
+test('the status line says what the tool in hand does', async () => {
+  const tab = await styled();
+  const { state, commands } = tab.app;
+  const said = new Set<string>();
+  for (const id of ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp']) {
+    await commands.run(`tool.${id}`);
+    expect(state.status.value).not.toMatch(/[{}]/);
+    said.add(state.status.value);
+  }
+  expect(said.size).toBe(6);
+  await commands.run('edit.cancel');
+  expect(state.tool.value).toBe('hair-select');
+});
+
+test('a recipe with hair opens in the hair workspace and saves and opens again as it was', async () => {
+  const tab = await styled();
+  await tab.app.files.save();
+  const { recipe } = tab.app.document;
+  const other = new Tab();
+  await other.app.files.openFiles([file('style.zip', tab.saved[0]!.bytes)]);
+  expect(other.app.state.workspace.value).toBe('hair');
+  expect(other.app.document.recipe).toEqual(recipe);
+});
