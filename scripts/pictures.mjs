@@ -4,7 +4,7 @@ import { mkdirSync, writeFileSync } from 'node:fs';
 import { bare, drawn, openStudio } from './lib/studio.mjs';
 
 const folder = new URL('../docs/pictures/', import.meta.url);
-const PAGE = { width: 1200, height: 750 };
+const PAGE = { width: 1152, height: 720 };
 const SIZE = { width: 440, height: 400 };
 /** The first one is what the app does unless told otherwise; it is framed, the others are seen likewise. */
 const WAYS = {
@@ -55,7 +55,7 @@ async function hero() {
   await turn.fill('75');
   await turn.press('Enter');
   await settled();
-  await page.mouse.move(60, 730);
+  await page.mouse.move(60, 700);
   await turn.blur();
   await page.waitForTimeout(1500);
   await page.screenshot({ path: new URL('deform.png', folder).pathname });

@@ -21,17 +21,19 @@ export function MethodPanel() {
       />
       {method !== 'naive' && (
         <>
-          <Switch
-            label={t('ui.method.shear')}
-            title={t('ui.method.shear.help')}
-            checked={options.removeShear}
-            onChange={(removeShear) => deform.setOptions({ removeShear })}
-          />
+          {method === 'implicit' && (
+            <Switch
+              label={t('ui.method.shear')}
+              title={t('ui.method.shear.help')}
+              checked={options.removeShear}
+              onChange={(removeShear) => deform.setOptions({ removeShear })}
+            />
+          )}
           <Switch
             label={t('ui.method.scale')}
             title={t('ui.method.scale.help')}
             checked={options.scaleDetails}
-            disabled={!options.removeShear}
+            disabled={method === 'implicit' && !options.removeShear}
             onChange={(scaleDetails) => deform.setOptions({ scaleDetails })}
           />
           <div class="field">
