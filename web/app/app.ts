@@ -16,12 +16,12 @@ import { Evaluator } from './evaluation';
 import { syncFigures } from './figures';
 import type { FileDialogs } from './file-dialogs';
 import { Files } from './files';
-import { Gallery } from './gallery';
+import { Gallery, recipeOn } from './gallery';
 import { HairActions } from './hair/actions';
 import { syncField } from './hair/field-sync';
 import { AppHairHost } from './hair/host';
 import { syncHair } from './hair/view-sync';
-import { Workspaces } from './hair/workspaces';
+import { hairRecipeOn, Workspaces } from './hair/workspaces';
 import { Keymap } from './keymap';
 import { Messages } from './messages';
 import { ModelStore } from './model-store';
@@ -74,7 +74,11 @@ export function buildApp(world: World): BuiltApp {
   const failed = (error: unknown) => messages.failed(error);
   const settings = new StoredSettings(world.storage);
   const document = new Document(state);
-  const gallery: Gallery = new Gallery(world.galleryBase, (recipe, title) => desk.open({ recipe, title }));
+  const gallery: Gallery = new Gallery(
+    world.galleryBase,
+    (recipe, title) => desk.open({ recipe, title }),
+    ({ name, scalp }) => (scalp && state.workspace.peek() === 'hair' ? hairRecipeOn(name) : recipeOn(name)),
+  );
   const models = new ModelStore((name) => gallery.model(name));
   const runner = new Runner({ kernel: world.kernel, models });
   const evaluator = new Evaluator(runner, state, failed);

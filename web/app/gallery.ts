@@ -40,10 +40,12 @@ export class Gallery implements GalleryService {
   /**
    * @param base  address of the gallery's folder, ending in a slash
    * @param show  opens a recipe as a new document
+   * @param bare  the recipe that a model without an example opens with
    */
   constructor(
     private readonly base: string,
     private readonly show: (recipe: Recipe, title: string) => Promise<void>,
+    private readonly bare: (entry: GalleryEntry) => Recipe = ({ name }) => recipeOn(name),
   ) {}
 
   get entries(): ReadonlySignal<readonly GalleryEntry[]> {
@@ -70,7 +72,7 @@ export class Gallery implements GalleryService {
   }
 
   async open(entry: GalleryEntry): Promise<void> {
-    await this.show(entry.recipe ? await this.recipe(entry.recipe) : recipeOn(entry.name), entry.title);
+    await this.show(entry.recipe ? await this.recipe(entry.recipe) : this.bare(entry), entry.title);
   }
 
   async recipe(file: string): Promise<Recipe> {
