@@ -15,8 +15,10 @@ import type {
   MergeOptions,
   OpenedHair,
   OpenedModel,
+  PaintedRegions,
   PreparedDeform,
   PreparedMerge,
+  RegionMaps,
   StyledHair,
 } from '../../web/kernel/contract';
 
@@ -52,6 +54,13 @@ export interface KernelModule {
     handles: readonly { readonly vertices: Uint32Array; readonly matrix: Float64Array }[],
     options: MergeOptions,
   ) => WasmMergeSession;
+  mergeAlongOptimalBoundary(
+    source: WasmWorkingMesh,
+    target: WasmWorkingMesh,
+    regions: PaintedRegions,
+    options: MergeOptions,
+  ): WasmMergeSession;
+  mapRegions(source: WasmWorkingMesh, target: WasmWorkingMesh, regions: PaintedRegions): RegionMaps;
   loopsAround(model: WasmWorkingMesh, vertices: Uint32Array): readonly Uint32Array[];
   measure(model: WasmWorkingMesh, positions: Float64Array): Measured;
   /** Highest heap address so far, in bytes. */

@@ -3,7 +3,9 @@
 
 #include <emscripten/bind.h>
 
+#include <cmath>
 #include <memory>
+#include <optional>
 
 using namespace emscripten;
 using namespace bindings;
@@ -52,6 +54,37 @@ HeldMerge* prepare(const std::shared_ptr<WorkingMesh>& source, const std::shared
     });
 }
 
+// { shift: [x, y], turn, scale }
+std::optional<lissom::Placement> placement_of(const val& given) {
+    if (given.isUndefined()) return std::nullopt;
+    const auto shift = convertJSArrayToNumberVector<double>(given["shift"]);
+    lissom::Placement placement{Eigen::Vector2d(shift.at(0), shift.at(1)), given["turn"].as<double>(), given["scale"].as<double>()};
+    if (!placement.shift.allFinite() || !std::isfinite(placement.turn) || !(placement.scale > 0) || !std::isfinite(placement.scale))
+        throw lissom::InvalidInput("bad-placement", "The placement of the source's map has a scale that is not positive, or a number that is not finite. Reset it.");
+    return placement;
+}
+
+val placed(const lissom::Placement& placement) {
+    val shift = val::array(), result = val::object();
+    shift.call<void>("push", placement.shift.x());
+    shift.call<void>("push", placement.shift.y());
+    result.set("shift", shift);
+    result.set("turn", placement.turn);
+    result.set("scale", placement.scale);
+    return result;
+}
+
+// mergeAlongOptimalBoundary(source, target, regions: PaintedRegions, options)
+HeldMerge* prepare_optimal(const std::shared_ptr<WorkingMesh>& source, const std::shared_ptr<WorkingMesh>& target, const val& regions,
+                           const val& options) {
+    return guarded([&] {
+        lissom::PaintedRegions painted{indices(regions["sourceRegion"]), indices(regions["feature"]), indices(regions["targetRegion"]),
+                                       placement_of(regions["placement"])};
+        read(regions, "rounds", painted.rounds);
+        return new HeldMerge{source, target, lissom::MergeSession(*source, *target, painted, merge_options(options))};
+    });
+}
+
 bool step(HeldMerge& held) {
     return guarded([&] { return held.session.step(); });
 }
@@ -69,6 +102,9 @@ val figures(const HeldMerge& held) {
         result.set("degenerate", held.session.degenerate_vertices());
         result.set("warnings", findings(held.session.warnings()));
         result.set("seconds", seconds);
+        const std::vector<double>& energies = held.session.energies();
+        result.set("energies", typed_array(energies.data(), energies.size()));
+        if (held.session.placement()) result.set("placement", placed(*held.session.placement()));
         return result;
     });
 }
@@ -91,6 +127,36 @@ val origins(const std::vector<lissom::Origin>& list) {
     result.set("vertices", uint32_array(vertices));
     result.set("weights", typed_array(weights.data(), weights.size()));
     return result;
+}
+
+val plane_map(const lissom::WorkingMesh& working, const std::vector<int>& vertices, const lissom::TriangleMesh& mesh,
+              const lissom::PlanePoints& map) {
+    std::vector<int> files;
+    for (const int v : vertices) files.push_back(working.source_of_working[v]);
+    val result = val::object();
+    result.set("vertices", uint32_array(files));
+    result.set("triangles", bindings::uint32_array(mesh.triangles.data(), static_cast<std::size_t>(mesh.triangles.size())));
+    result.set("points", typed_array(map.data(), static_cast<std::size_t>(vertices.size() * 2)));
+    return result;
+}
+
+// mapRegions(source, target, regions: PaintedRegions) → RegionMaps of web/kernel/contract.ts
+val map_regions(const WorkingMesh& source, const WorkingMesh& target, const val& regions) {
+    return guarded([&] {
+        const auto local = [](const WorkingMesh& working, const val& given) {
+            std::vector<int> list;
+            for (const int v : indices(given))
+                if (v >= 0 && v < std::ssize(working.working_of_source) && working.working_of_source[v] >= 0) list.push_back(working.working_of_source[v]);
+            return list;
+        };
+        const lissom::RegionMaps maps = lissom::map_regions(source.mesh, local(source, regions["sourceRegion"]), local(source, regions["feature"]),
+                                                            target.mesh, local(target, regions["targetRegion"]));
+        val result = val::object();
+        result.set("source", plane_map(source, maps.ring_vertices, maps.ring, maps.ring_map));
+        result.set("target", plane_map(target, maps.disk_vertices, maps.disk, maps.disk_map));
+        result.set("placement", placed(lissom::best_placement(maps)));
+        return result;
+    });
 }
 
 val contribution(const lissom::Contribution& part) {
@@ -181,5 +247,7 @@ EMSCRIPTEN_BINDINGS(merge) {
         .function("fraction", &fraction)
         .function("figures", &figures)
         .function("merge", &merge);
+    function("mergeAlongOptimalBoundary", &prepare_optimal, allow_raw_pointers());
+    function("mapRegions", &map_regions);
     function("loopsAround", &loops_around);
 }

@@ -174,10 +174,50 @@ export interface MergeOptions {
   readonly pose?: Float64Array;
 }
 
+/** How the source's plane map lies on the target's: scaled, turned (degrees, counter-clockwise), then moved. */
+export interface MapPlacement {
+  readonly shift: readonly [number, number];
+  readonly turn: number;
+  readonly scale: number;
+}
+
+/** Painted vertices for merging along an optimal boundary. */
+export interface PaintedRegions {
+  readonly sourceRegion: Uint32Array;
+  readonly feature: Uint32Array;
+  readonly targetRegion: Uint32Array;
+  /** Left out: a good one is found. */
+  readonly placement?: MapPlacement;
+  /** At most so many rounds; 0: the edge of the source region is the boundary. */
+  readonly rounds?: number;
+}
+
+/** A painted region in the plane. */
+export interface PlaneMap {
+  /** File vertex of each point. */
+  readonly vertices: Uint32Array;
+  /** Numbers of points, 3 each, counter-clockwise seen from outside. */
+  readonly triangles: Uint32Array;
+  /** 2 per point; the area of the map (a ring with its hole filled) is π and its centroid at 0. */
+  readonly points: Float64Array;
+}
+
+export interface RegionMaps {
+  /** The source region without the feature. */
+  readonly source: PlaneMap;
+  readonly target: PlaneMap;
+  /** The one found where none is given. */
+  readonly placement: MapPlacement;
+}
+
 export interface PreparedMerge {
   readonly merge: MergeId;
   readonly free: number;
   readonly degenerate: number;
+  /** Of the optimal boundary: that of the region's edge first, then after each round; empty where loops are given. */
+  readonly energies: Float64Array;
+  /** The placement used, where the boundary is sought. */
+  readonly placement?: MapPlacement;
   readonly warnings: readonly Finding[];
   readonly seconds: { readonly assemble: number; readonly factor: number };
   readonly peakBytes: number;
@@ -264,6 +304,8 @@ export interface Kernel {
     source: ModelId;
     target: ModelId;
     boundaries: readonly MergeBoundarySpec[];
+    /** Finds the boundary instead; `boundaries` is empty then, and `merge` takes one empty list of keys. */
+    optimalBoundary?: PaintedRegions;
     /** Source vertices that may move (dependent only); empty: all. */
     roi: Uint32Array;
     /** Source vertices held in place (dependent only), each with a column-major 4×4. */
@@ -273,6 +315,9 @@ export interface Kernel {
 
   /** The merged model for the keys of each pair of boundaries; a pair without any has its best one found. */
   merge(args: { merge: MergeId; keys: readonly Uint32Array[]; settle?: boolean }): Merged;
+
+  /** The plane maps that an optimal boundary is sought in. */
+  mapRegions(args: { source: ModelId; target: ModelId; regions: PaintedRegions }): RegionMaps;
 
   /** Closed paths around painted vertices, the painted side to their left. */
   loopsAround(args: { model: ModelId; vertices: Uint32Array }): readonly Uint32Array[];

@@ -140,7 +140,8 @@ function uvOfOrigin(model: Model, face: number, { vertices, weights }: Origins, 
     const end = model.faceOffsets[face + 1]!;
     let corner = model.faceOffsets[face]!;
     while (corner < end && model.faceVertices[corner] !== vertices[k]) corner++;
-    const index = corner < end ? uvOfCorner(model, corner) : NO_UV;
+    // A triangle of the band around an optimal boundary lies on several polygons.
+    const index = uvOfCorner(model, corner < end ? corner : model.faceVertices.indexOf(vertices[k]!));
     if (index === NO_UV) return undefined;
     u += weights[k]! * model.uvs![2 * index]!;
     v += weights[k]! * model.uvs![2 * index + 1]!;

@@ -136,3 +136,33 @@ TEST_CASE("regions that cannot work are refused with what is wrong") {
     CHECK(code(cap, tip, belt) == "target-region-not-a-disk");
     CHECK(code(within(ball, -2, 2), tip, cap) == "region-not-a-ring");
 }
+
+TEST_CASE("a feature merged along its optimal boundary gives one closed surface, whatever the pose of its source") {
+    const TriangleMesh source_mesh = shapes::bumpy_sphere(4), target_mesh = shapes::icosphere(4);
+    const PaintedRegions regions{within(source_mesh, -0.1, 2), within(source_mesh, 0.7, 2), within(target_mesh, -0.3, 2), std::nullopt};
+    const auto run = [&](const TriangleMesh& from) {
+        const WorkingMesh source = shapes::working(from), target = shapes::working(target_mesh);
+        MergeSession session(source, target, regions);
+        while (session.step()) {}
+        return session.merge(std::vector<MergeKeys>(1));
+    };
+    const MergeResult plain = run(source_mesh);
+    CHECK(plain.model.euler_characteristic == 2);
+    CHECK(plain.seam.least_angle > 1);
+    CHECK(plain.seam.high_dihedral < 20);
+    const TriangleMesh mesh = tubes::mesh_of(plain.model, source_mesh, target_mesh);
+    CHECK(euler_characteristic(mesh) == 2);
+    CHECK(boundary_loops(mesh).empty());
+    CHECK(non_manifold_vertices(mesh).empty());
+    CHECK(signed_volume(mesh) > 0);
+    double worst = 0;
+    for (const Eigen::Affine3d& map : tubes::twenty_similarities()) {
+        const MergeResult other = run(shapes::moved(source_mesh, map));
+        REQUIRE(other.model.positions.rows() == plain.model.positions.rows());
+        worst = std::max(worst, (other.model.positions - plain.model.positions).rowwise().norm().maxCoeff());
+    }
+    CHECK(worst < 1e-6 * diagonal(target_mesh.points));
+    // The feature's topology does not matter, and a source that faces inward merges all the same.
+    const MergeResult turned = run(shapes::turned_inside_out(source_mesh));
+    CHECK(turned.model.euler_characteristic == 2);
+}

@@ -164,6 +164,16 @@ LoopMatch match_loops(const Points& source, const std::vector<int>& source_loop,
     return match;
 }
 
+LoopMatch match_one_by_one(const std::vector<int>& source_loop, const std::vector<int>& target_loop) {
+    LoopMatch match{source_loop, {target_loop.rbegin(), target_loop.rend()}, {}, {}};
+    std::rotate(match.target.begin(), match.target.end() - 1, match.target.end());
+    for (int i = 0; i < std::ssize(source_loop); ++i) {
+        match.points.push_back({.source = i, .target = i});
+        match.at_target.emplace_back(i, 0.0);
+    }
+    return match;
+}
+
 std::pair<int, int> best_key(const Points& source, const std::vector<int>& source_loop, const Points& target,
                              const std::vector<int>& target_loop) {
     const std::vector<int> backward(target_loop.rbegin(), target_loop.rend());

@@ -4,6 +4,7 @@
 #include "lissom/merge/boundary_correspondence.h"
 #include "lissom/merge/facing.h"
 #include "lissom/merge/loop_frames.h"
+#include "lissom/merge/opened_target.h"
 #include "lissom/merge/refine.h"
 #include "lissom/merge/similarity.h"
 #include "lissom/mesh/errors.h"
@@ -134,8 +135,12 @@ struct MergeSession::State {
     std::vector<int> loose{}; ///< part vertices of pieces that nothing holds
     std::vector<Finding> warnings{};
     double prepare_seconds = 0;
+    std::vector<double> energies{};
+    std::optional<Placement> placement{};
+    bool is_matched = false; ///< the loops' vertices are partners one by one, in order from the first
 
     void cut(std::span<const MergeBoundary> boundaries);
+    void find_boundary(const PaintedRegions& regions);
     void refine();
     void prepare(std::span<const int> roi, std::span<const MergeHandle> handles);
     [[nodiscard]] std::vector<LoopMatch> match(std::span<const MergeKeys> keys, bool turned, std::vector<MergeKeys>& used, std::vector<Finding>& found) const;
@@ -151,6 +156,21 @@ void MergeSession::State::cut(std::span<const MergeBoundary> boundaries) {
     }
     source_part = cut_part(source.mesh, source_loops, "source");
     target_part = cut_part(target.mesh, target_loops, "target");
+}
+
+void MergeSession::State::find_boundary(const PaintedRegions& regions) {
+    const std::vector<int> feature = to_working(regions.feature, source, "source");
+    // Maps keep what they see from outside, so a source that faces inward is mapped turned over.
+    TriangleMesh facing_out = source.mesh;
+    if (facing(source.mesh) * facing(target.mesh) < 0) facing_out.triangles.col(1).swap(facing_out.triangles.col(2));
+    const RegionMaps maps = map_regions(facing_out, to_working(regions.source_region, source, "source"), feature, target.mesh,
+                                        to_working(regions.target_region, target, "target"));
+    placement = regions.placement ? *regions.placement : best_placement(maps);
+    const OptimalBoundary found = optimal_boundary(maps, *placement, regions.rounds);
+    energies = found.energies;
+    source_part = cut_part(source.mesh, std::vector<BoundaryLoop>{{found.loop, feature}}, "source");
+    target_part = open_target(target.mesh, maps, found.outline, found.places);
+    is_matched = true;
 }
 
 void MergeSession::State::refine() {
@@ -225,6 +245,11 @@ std::vector<LoopMatch> MergeSession::State::match(std::span<const MergeKeys> key
     for (std::size_t k = 0; k < source_part.loops.size(); ++k) {
         std::vector<int> loop = source_part.loops[k];
         if (turned) std::reverse(loop.begin() + 1, loop.end());
+        if (is_matched) {
+            matches.push_back(match_one_by_one(loop, target_part.loops[k]));
+            used.emplace_back();
+            continue;
+        }
         MergeKeys local;
         used.push_back(keys[k]);
         for (const auto& [s, t] : keys[k]) {
@@ -290,6 +315,14 @@ MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target,
     state_->prepare_seconds = watch.lap();
 }
 
+MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target, const PaintedRegions& regions, MergeOptions options)
+    : state_(new State{.source = source, .target = target, .options = options}) {
+    Seconds watch;
+    state_->find_boundary(regions);
+    state_->prepare({}, {});
+    state_->prepare_seconds = watch.lap();
+}
+
 MergeSession::~MergeSession() = default;
 MergeSession::MergeSession(MergeSession&&) noexcept = default;
 
@@ -338,6 +371,8 @@ MergeResult MergeSession::merge(std::span<const MergeKeys> keys, bool settle) co
     return result;
 }
 
+const std::vector<double>& MergeSession::energies() const { return state_->energies; }
+const std::optional<Placement>& MergeSession::placement() const { return state_->placement; }
 int MergeSession::free_vertices() const { return state_->deform->free_vertices(); }
 int MergeSession::degenerate_vertices() const { return state_->deform->degenerate_vertices(); }
 double MergeSession::prepare_seconds() const { return state_->prepare_seconds; }

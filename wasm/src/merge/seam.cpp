@@ -50,7 +50,7 @@ SeamFigures seam_figures(const JoinedMesh& joined) {
     figures.max_dihedral = quantile(seam, 1);
     figures.own_high_dihedral = quantile(own, 0.9);
     for (int t = 0; t < joined.mesh.triangle_count(); ++t) {
-        if (joined.made[t] < 0) continue;
+        if (!joined.is_new[t]) continue;
         for (int c = 0; c < 3; ++c) {
             const Vector3d a = joined.mesh.points.row(joined.mesh.triangles(t, c));
             const Vector3d b = joined.mesh.points.row(joined.mesh.triangles(t, (c + 1) % 3)), e = joined.mesh.points.row(joined.mesh.triangles(t, (c + 2) % 3));

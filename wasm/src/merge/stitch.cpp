@@ -119,6 +119,7 @@ private:
         out_.from_source.push_back(from_source);
         out_.part_triangle.push_back(part_triangle);
         out_.made.push_back(made);
+        out_.is_new.push_back(made >= 0 || !(from_source ? source_ : target_).is_whole[part_triangle]);
     }
 
     const Part& target_;

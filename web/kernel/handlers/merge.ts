@@ -7,14 +7,16 @@ import type { Registry } from './registry';
 export function mergeHandlers(
   wasm: KernelModule,
   registry: Registry,
-): Pick<Handlers, 'prepareMerge' | 'merge' | 'loopsAround'> {
+): Pick<Handlers, 'prepareMerge' | 'merge' | 'mapRegions' | 'loopsAround'> {
   return {
-    async prepareMerge({ source, target, boundaries, roi, handles, options }, job) {
+    async prepareMerge({ source, target, boundaries, optimalBoundary, roi, handles, options }, job) {
       const meshes = [
         registry.get(source, wasm.WorkingMesh),
         registry.get(target, wasm.WorkingMesh),
       ] as const;
-      const session = new wasm.MergeSession(...meshes, boundaries, roi, handles, options);
+      const session = optimalBoundary
+        ? wasm.mergeAlongOptimalBoundary(...meshes, optimalBoundary, options)
+        : new wasm.MergeSession(...meshes, boundaries, roi, handles, options);
       try {
         await job.advance(
           () => session.step(),
@@ -29,6 +31,13 @@ export function mergeHandlers(
     },
 
     merge: ({ merge, keys, settle = true }) => registry.get(merge, wasm.MergeSession).merge(keys, settle),
+
+    mapRegions: ({ source, target, regions }) =>
+      wasm.mapRegions(
+        registry.get(source, wasm.WorkingMesh),
+        registry.get(target, wasm.WorkingMesh),
+        regions,
+      ),
 
     loopsAround: ({ model, vertices }) => wasm.loopsAround(registry.get(model, wasm.WorkingMesh), vertices),
   };

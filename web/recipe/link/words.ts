@@ -23,5 +23,5 @@ export const WORDS: readonly string[] =
     // more of hair
     'length max variation map factor volume curlLength flyaways material color melanin redness colorVariation thickness taper ' +
     // more of merge
-    'sourceKeep targetKeep pose'
+    'sourceKeep targetKeep pose shift turn'
   ).split(' ');

@@ -1,5 +1,5 @@
 import * as v from 'valibot';
-import { index, list, matrix, reference, stepId, vertexSet } from '../schema-parts';
+import { finite, index, list, matrix, reference, stepId, vertexSet } from '../schema-parts';
 
 const key = v.strictTuple([index, index], 'a pair of a source vertex and a target vertex');
 
@@ -19,11 +19,31 @@ const handle = v.strictObject({
   name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
 });
 
+const POSITIVE = 'a number above 0';
+
+/** How the source's plane map lies on the target's: scaled, turned (degrees), then moved. */
+const placement = v.strictObject({
+  shift: v.strictTuple([finite, finite], 'two numbers'),
+  turn: finite,
+  scale: v.pipe(
+    finite,
+    v.check((scale) => scale > 0, POSITIVE),
+  ),
+});
+
+/** Painted regions; the boundary is found between the feature and the edge of the source region. */
+const optimalBoundary = v.strictObject({
+  sourceRegion: vertexSet,
+  feature: vertexSet,
+  targetRegion: vertexSet,
+  placement: v.optional(placement),
+});
+
 const ROUNDS = 'a whole number from 0 to 100';
 
 /**
  * Joins a source to a target along pairs of boundaries (Fu ch. 3). Vertex indices are those of the step's two input
- * models. `roi`, `handles` and `pose` are read by dependent merging.
+ * models. Either `boundaries` or `optimalBoundary` says where; `roi`, `handles` and `pose` are read by dependent merging.
  */
 export const mergeStep = v.strictObject({
   id: stepId,
@@ -31,7 +51,8 @@ export const mergeStep = v.strictObject({
   source: reference,
   target: reference,
   mode: v.optional(v.picklist(['independent', 'dependent']), 'independent'),
-  boundaries: list(boundary),
+  boundaries: v.optional(list(boundary), []),
+  optimalBoundary: v.optional(optimalBoundary),
   roi: v.optional(vertexSet, 'all'),
   handles: v.optional(list(handle), []),
   pose: v.optional(matrix),

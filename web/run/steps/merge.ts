@@ -1,8 +1,10 @@
 // The merge step: cut and factored once per set of boundaries, then only the keys change.
 
+import { LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
 import { vertexCount } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
+import type { PaintedRegions } from '../../kernel/contract';
 import type { MergeStep } from '../../recipe/recipe';
 import { mergedModel } from '../merged-model';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
@@ -12,6 +14,18 @@ const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export const mergeRunner: StepRunner<MergeStep> = {
   check(step, path, [source, target]) {
+    const { optimalBoundary } = step;
+    if (optimalBoundary && step.boundaries.length > 0)
+      throw new LissomError(
+        'two-boundaries',
+        `${path}: both boundaries and optimalBoundary say where to join the models; keep one of them.`,
+      );
+    if (optimalBoundary && source) {
+      checkVertices(optimalBoundary.sourceRegion, `${path}.optimalBoundary.sourceRegion`, source);
+      checkVertices(optimalBoundary.feature, `${path}.optimalBoundary.feature`, source);
+    }
+    if (optimalBoundary && target)
+      checkVertices(optimalBoundary.targetRegion, `${path}.optimalBoundary.targetRegion`, target);
     for (const [at, boundary] of step.boundaries.entries()) {
       const place = `${path}.boundaries[${at}]`;
       if (source) {
@@ -59,6 +73,7 @@ export const mergeRunner: StepRunner<MergeStep> = {
           sourceKeep: toIndices(boundary.sourceKeep, sources),
           targetKeep: toIndices(boundary.targetKeep, targets),
         })),
+        ...(step.optimalBoundary ? { optimalBoundary: painted(step.optimalBoundary, sources, targets) } : {}),
         roi: step.roi === 'all' ? new Uint32Array() : toIndices(step.roi, sources),
         handles: step.handles.map(({ vertices, matrix }) => ({
           vertices: toIndices(vertices, sources),
@@ -72,7 +87,9 @@ export const mergeRunner: StepRunner<MergeStep> = {
       },
       { ...signal, onProgress: (fraction) => context.onProgress(0.9 * fraction) },
     );
-    const keys = step.boundaries.map((boundary) => Uint32Array.from(boundary.keys.flat()));
+    const keys = step.optimalBoundary
+      ? [new Uint32Array()]
+      : step.boundaries.map((boundary) => Uint32Array.from(boundary.keys.flat()));
     const merged = await context.kernel.call(
       'merge',
       { merge: ready.merge, keys, settle: context.settle },
@@ -84,6 +101,7 @@ export const mergeRunner: StepRunner<MergeStep> = {
       figures: {
         free: ready.free,
         degenerate: ready.degenerate,
+        ...(step.optimalBoundary ? { energy: [...ready.energies], placement: ready.placement } : {}),
         seamVertices: vertices,
         eulerCharacteristic: merged.eulerCharacteristic,
         seam: dihedrals,
@@ -96,6 +114,17 @@ export const mergeRunner: StepRunner<MergeStep> = {
   },
 };
 
+const painted = (
+  { sourceRegion, feature, targetRegion, placement }: NonNullable<MergeStep['optimalBoundary']>,
+  sources: number,
+  targets: number,
+): PaintedRegions => ({
+  sourceRegion: toIndices(sourceRegion, sources),
+  feature: toIndices(feature, sources),
+  targetRegion: toIndices(targetRegion, targets),
+  ...(placement ? { placement } : {}),
+});
+
 /** What is cut and factored: everything but the keys. Names are for the eye only. */
 const prepared = (step: MergeStep): object => ({
   mode: step.mode,
@@ -105,6 +134,16 @@ const prepared = (step: MergeStep): object => ({
     vertexSetKey(sourceKeep),
     vertexSetKey(targetKeep),
   ]),
+  ...(step.optimalBoundary
+    ? {
+        regions: [
+          vertexSetKey(step.optimalBoundary.sourceRegion),
+          vertexSetKey(step.optimalBoundary.feature),
+          vertexSetKey(step.optimalBoundary.targetRegion),
+        ],
+        placement: step.optimalBoundary.placement ?? 'best',
+      }
+    : {}),
   roi: vertexSetKey(step.roi),
   handles: step.handles.map(({ vertices, matrix }) => [vertexSetKey(vertices), matrix ?? IDENTITY]),
   pose: step.pose ?? IDENTITY,

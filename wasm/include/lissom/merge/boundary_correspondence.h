@@ -41,6 +41,10 @@ inline constexpr const char* k_keys_reversed = "keys-reversed";
 [[nodiscard]] LoopMatch match_loops(const Points& source, const std::vector<int>& source_loop, const Points& target,
                                     const std::vector<int>& target_loop, std::span<const std::pair<int, int>> keys);
 
+/// Loops whose vertices are partners one by one: the first of both, then the source's in its order and the target's
+/// backwards. Both have as many.
+[[nodiscard]] LoopMatch match_one_by_one(const std::vector<int>& source_loop, const std::vector<int>& target_loop);
+
 /// The key that lets the source loop fit the target loop best by a similarity, for users who give none. Arc length
 /// decides the partners; at most 512 places of the target are tried.
 [[nodiscard]] std::pair<int, int> best_key(const Points& source, const std::vector<int>& source_loop, const Points& target,

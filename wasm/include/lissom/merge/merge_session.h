@@ -1,12 +1,14 @@
 #pragma once
 
 #include "lissom/merge/merged_model.h"
+#include "lissom/merge/optimal_boundary.h"
 #include "lissom/merge/seam.h"
 #include "lissom/mesh/working_mesh.h"
 
 #include <Eigen/Geometry>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -34,6 +36,13 @@ struct MergeOptions {
     int smoothing = 0;       ///< umbrella iterations at the seam; they move the target's seam vertices too
     int coherence_ring = 1;  ///< see DeformOptions
     Eigen::Affine3d placement = Eigen::Affine3d::Identity(); ///< of the source in the target's space; read by `dependent`
+};
+
+/// Painted regions for optimal boundary merging (Fu 3.4), in file vertices.
+struct PaintedRegions {
+    std::vector<int> source_region, feature, target_region;
+    std::optional<Placement> placement; ///< none: `best_placement`
+    int rounds = 50;                    ///< 0: the region's own edge is the boundary
 };
 
 /// (source vertex, target vertex) pairs of one pair of boundaries, in file vertices.
@@ -64,6 +73,9 @@ public:
     /// @throws InvalidInput `no-boundary`, what `cut_part` says, `handle-overlap`, `vertex-out-of-range`
     MergeSession(const WorkingMesh& source, const WorkingMesh& target, std::span<const MergeBoundary> boundaries, MergeOptions options = {},
                  std::span<const int> roi = {}, std::span<const MergeHandle> handles = {});
+    /// Merges the feature along the boundary that changes least; then `merge` takes no keys (one empty list).
+    /// @throws InvalidInput what `map_regions`, `optimal_boundary`, `open_target` and `cut_part` say
+    MergeSession(const WorkingMesh& source, const WorkingMesh& target, const PaintedRegions& regions, MergeOptions options = {});
     ~MergeSession();
     MergeSession(MergeSession&&) noexcept;
 
@@ -77,6 +89,8 @@ public:
     /// @throws SolverFailure
     [[nodiscard]] MergeResult merge(std::span<const MergeKeys> keys, bool settle = true) const;
 
+    [[nodiscard]] const std::vector<double>& energies() const; ///< of the boundary, round by round; empty where it was given
+    [[nodiscard]] const std::optional<Placement>& placement() const; ///< the one used
     [[nodiscard]] int free_vertices() const;
     [[nodiscard]] int degenerate_vertices() const;
     [[nodiscard]] double prepare_seconds() const; ///< cutting, refining, assembling

@@ -11,7 +11,7 @@ struct SeamFigures {
     double high_dihedral = 0;    ///< 90 % of them lie below
     double max_dihedral = 0;
     double own_high_dihedral = 0; ///< 90 % of all other edges lie below
-    double least_angle = 180;    ///< of the triangles at the seam
+    double least_angle = 180;    ///< of the triangles cut or made for the seam
 };
 
 [[nodiscard]] SeamFigures seam_figures(const JoinedMesh& joined);

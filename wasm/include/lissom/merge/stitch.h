@@ -14,6 +14,7 @@ struct JoinedMesh {
     std::vector<char> from_source;      ///< per triangle
     std::vector<int> part_triangle;     ///< per triangle, of its part
     std::vector<int> made;              ///< per triangle: −1, or its place in `made_corners`: it was cut at the seam
+    std::vector<char> is_new;           ///< per triangle: none of its input's, but cut or made for the seam
     std::vector<std::array<Origin, 3>> made_corners; ///< in vertices of the input that the triangle is from
     std::vector<std::vector<int>> seams; ///< vertices of each seam, the source's surface to the left
 };
