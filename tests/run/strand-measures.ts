@@ -1,0 +1,150 @@
+// What tests measure of grown hair by plain geometry, without the kernel's distance grid.
+
+import type { Model } from '../../web/core/model';
+import type { Strands } from '../../web/core/strands';
+
+export type Vec = readonly [number, number, number];
+
+const minus = (a: Vec, b: Vec): Vec => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+const cross = (a: Vec, b: Vec): Vec => [
+  a[1] * b[2] - a[2] * b[1],
+  a[2] * b[0] - a[0] * b[2],
+  a[0] * b[1] - a[1] * b[0],
+];
+const along = (a: Vec, t: number, by: Vec): Vec => [a[0] + t * by[0], a[1] + t * by[1], a[2] + t * by[2]];
+const length = (a: Vec): number => Math.hypot(...a);
+
+/** Model space. */
+export function strandPoint({ points, origin }: Strands, at: number): Vec {
+  return [points[3 * at]! + origin[0], points[3 * at + 1]! + origin[1], points[3 * at + 2]! + origin[2]];
+}
+
+export const heightOf = ({ positions }: Model): number => {
+  const ys = positions.filter((_, i) => i % 3 === 1);
+  return ys.reduce((a, b) => Math.max(a, b)) - ys.reduce((a, b) => Math.min(a, b));
+};
+
+type Triangle = readonly [Vec, Vec, Vec];
+
+export function trianglesOf({ positions, faceOffsets, faceVertices }: Model): Triangle[] {
+  const at = (v: number): Vec => [positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!];
+  const triangles: Triangle[] = [];
+  for (let f = 0; f + 1 < faceOffsets.length; f++) {
+    const corners = [...faceVertices.subarray(faceOffsets[f]!, faceOffsets[f + 1]!)].map(at);
+    for (let i = 2; i < corners.length; i++) triangles.push([corners[0]!, corners[i - 1]!, corners[i]!]);
+  }
+  return triangles;
+}
+
+/**
+ * How deep a point lies inside, 0 outside: every triangle is asked. Inside is where the solid angles of all
+ * triangles add up to more than half a sphere's.
+ */
+export function depthInside(point: Vec, triangles: readonly Triangle[]): number {
+  let angle = 0;
+  let nearest = Infinity;
+  for (const [p, q, r] of triangles) {
+    const [a, b, c] = [minus(p, point), minus(q, point), minus(r, point)];
+    const [la, lb, lc] = [length(a), length(b), length(c)];
+    const below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
+    angle += 2 * Math.atan2(dot(a, cross(b, c)), below);
+    // No corner nearer than this triangle's reach beyond what is known: it cannot be the nearest.
+    const reach = Math.max(length(minus(a, b)), length(minus(b, c)), length(minus(c, a)));
+    if (Math.min(la, lb, lc) - reach < nearest) nearest = Math.min(nearest, length(nearestToOrigin(a, b, c)));
+  }
+  return angle > 2 * Math.PI ? nearest : 0;
+}
+
+/** The point of a triangle nearest to the origin. */
+function nearestToOrigin(a: Vec, b: Vec, c: Vec): Vec {
+  const normal = cross(minus(b, a), minus(c, a));
+  const square = dot(normal, normal);
+  if (square > 0) {
+    const foot = along([0, 0, 0], dot(a, normal) / square, normal);
+    const inside = [
+      [a, b],
+      [b, c],
+      [c, a],
+    ].every(([p, q]) => dot(cross(minus(q!, p!), minus(foot, p!)), normal) >= 0);
+    if (inside) return foot;
+  }
+  const feet = [onSegment(a, b), onSegment(b, c), onSegment(c, a)];
+  return feet.reduce((best, foot) => (length(foot) < length(best) ? foot : best));
+}
+
+function onSegment(a: Vec, b: Vec): Vec {
+  const by = minus(b, a);
+  const square = dot(by, by);
+  return along(a, square > 0 ? Math.min(1, Math.max(0, -dot(a, by) / square)) : 0, by);
+}
+
+/** On which side of a parting a point lies: its distance from the plane there, `null` beyond the line's ends. */
+function sideOf(point: Vec, line: readonly Vec[], normals: readonly Vec[]): number | null {
+  let best = { square: Infinity, side: null as number | null };
+  for (let i = 0; i + 1 < line.length; i++) {
+    const [p, by] = [line[i]!, minus(line[i + 1]!, line[i]!)];
+    const t = dot(minus(point, p), by) / dot(by, by);
+    const beyond = (i === 0 && t < 0) || (i + 2 === line.length && t > 1);
+    const held = Math.min(1, Math.max(0, t));
+    const from = minus(point, along(p, held, by));
+    const square = dot(from, from);
+    if (square >= best.square) continue;
+    const normal = along(normals[i]!, held, minus(normals[i + 1]!, normals[i]!));
+    const across = cross(by, normal);
+    best = { square, side: beyond ? null : dot(from, across) / length(across) };
+  }
+  return best.side;
+}
+
+/** Unit normal of the skin nearest to a point: of the nearest triangle that faces anywhere. */
+export function skinNormal(point: Vec, triangles: readonly Triangle[]): Vec {
+  let best = Infinity;
+  let normal: Vec = [0, 1, 0];
+  for (const [p, q, r] of triangles) {
+    const middle: Vec = [0, 1, 2].map((k) => (p[k]! + q[k]! + r[k]!) / 3) as unknown as Vec;
+    const away = length(minus(middle, point));
+    const area = cross(minus(q, p), minus(r, p));
+    if (away >= best || length(area) === 0) continue;
+    best = away;
+    normal = along([0, 0, 0], 1 / length(area), area);
+  }
+  return normal;
+}
+
+export interface Crossings {
+  /** Strands rooted beside the line, between `blur` and `reach` from it. */
+  readonly near: number;
+  /** Of these, those that come to lie on the other side within `first` of their root, and how far the worst does. */
+  readonly crossing: number;
+  readonly worst: number;
+}
+
+export function partingCrossings(
+  strands: Strands,
+  line: readonly Vec[],
+  triangles: readonly Triangle[],
+  { reach, first, blur }: { readonly reach: number; readonly first: number; readonly blur: number },
+): Crossings {
+  const normals = line.map((point) => skinNormal(point, triangles));
+  let [near, crossing, worst] = [0, 0, 0];
+  for (let s = 0; s + 1 < strands.offsets.length; s++) {
+    const [start, end] = [strands.offsets[s]!, strands.offsets[s + 1]!];
+    let last = strandPoint(strands, start);
+    const root = sideOf(last, line, normals);
+    if (root === null || Math.abs(root) > reach || Math.abs(root) < blur) continue;
+    near++;
+    let over = 0;
+    for (let at = start + 1, arc = 0; at < end; at++) {
+      const point = strandPoint(strands, at);
+      arc += length(minus(point, last));
+      if (arc > first) break;
+      last = point;
+      const side = sideOf(point, line, normals);
+      if (side !== null && side * root < 0) over = Math.max(over, Math.abs(side));
+    }
+    if (over > 0) crossing++;
+    worst = Math.max(worst, over);
+  }
+  return { near, crossing, worst };
+}
