@@ -82,3 +82,14 @@ test('with the mirror on both tails are built by one hand', () => {
   expect(twin!.section).toEqual(own!.section.map(([x, y, z]) => [-x + 0, y, z]));
   expect(ponytailStage(chair.scene())).toBe('profile-0');
 });
+
+test('a tail drawn near the middle with the mirror on lies on the middle, and comes alone', () => {
+  const chair = new Chair();
+  chair.mirror = true;
+  chair.side = 'right';
+  const tool = new PonytailTool(chair);
+  // From the right the head's middle is at its edge: x is up to 25 where the stroke begins.
+  chair.stroke(tool, [97, 0], [200, 0]);
+  expect(chair.step.ponytails).toHaveLength(1);
+  expect(chair.step.ponytails[0]!.spine.every(([x]) => x === 0)).toBe(true);
+});

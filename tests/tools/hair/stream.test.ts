@@ -72,6 +72,7 @@ test('with the mirror on a stream comes with its exact image, one along the midd
   const [own, image] = chair.step.streams;
   expect(image!.points).toEqual(own!.points.map(([x, y, z]) => [-x, y, z]));
   expect(chair.selected).toBe(0);
-  chair.stroke(new StreamTool(chair), [0, 60], [1, -60]);
+  chair.stroke(new StreamTool(chair), [2, 60], [3, -60]);
   expect(chair.step.streams).toHaveLength(3);
+  expect(chair.step.streams[2]!.points.every(([x]) => x === 0)).toBe(true);
 });

@@ -11,8 +11,6 @@ import type { State } from '../state';
 
 /** Every how-manieth node of the field has an arrow. */
 const STRIDE = 3;
-/** Length of the longest arrows, in distances between them. */
-const ARROW = 0.8;
 
 interface Parts {
   readonly viewport: ViewportPort;
@@ -26,7 +24,7 @@ interface Parts {
 export function syncField({ viewport, state, evaluator, runner, failed }: Parts): () => void {
   const draw = (field: HairField | null): void => {
     const { field: arrows, volume } = state.hair.show.peek();
-    viewport.setField(field && arrows ? scaled(field) : null);
+    viewport.setField(field && arrows ? field : null);
     viewport.setVolume(field && volume ? { low: field.low, high: field.high } : null);
   };
   const fetches = new Latest<{ readonly recipe: Recipe; readonly step: string }, HairField>({
@@ -46,9 +44,4 @@ export function syncField({ viewport, state, evaluator, runner, failed }: Parts)
     stop();
     fetches.cancel();
   };
-}
-
-function scaled({ places, vectors, grid, low, high }: HairField) {
-  const between = (STRIDE * (high[0] - low[0])) / Math.max(1, grid[0] - 1);
-  return { places, vectors: vectors.map((x) => ARROW * between * x) };
 }

@@ -3,7 +3,7 @@
 
 import { roundTo } from '../../core/decimal';
 import type { HairEdit, HairScene } from './host';
-import { MIDDLE, places, SHORTEST } from './measures';
+import { MIDDLE, MIDDLE_TAIL, places, SHORTEST } from './measures';
 import { type Line, lengthOf, quantised, resampled, smoothed } from './polyline';
 import {
   added,
@@ -34,8 +34,16 @@ export const evened = (line: Line, height: number, spacing: number): Line =>
 export const isTooShort = (line: Line, height: number): boolean => lengthOf(line) < SHORTEST * height;
 
 export function addPrimitive({ step, height, mirror }: Scene, primitive: Primitive): HairEdit {
+  const near = primitive.kind === 'ponytail' ? MIDDLE_TAIL : MIDDLE;
+  if (mirror && isMiddle(primitive, near * height)) {
+    const middle = added(
+      step,
+      mapped(primitive, ([, y, z]) => [0, y, z]),
+    );
+    return { step: middle.style, selected: middle.index };
+  }
   const first = added(step, primitive);
-  if (!mirror || isMiddle(primitive, MIDDLE * height)) return { step: first.style, selected: first.index };
+  if (!mirror) return { step: first.style, selected: first.index };
   const both = added(first.style, mirrored(primitive));
   return { step: both.style, selected: first.index };
 }

@@ -10,8 +10,10 @@ export const PARTING_SPACING = 1 / 30;
 export const SHORTEST = 1 / 20;
 /** How far a supporting surface reaches to either side of its curve. */
 export const REACH = 0.22;
-/** What lies nearer to x = 0 than this everywhere has no mirror image of its own. */
-export const MIDDLE = 0.02;
+/** With the mirror on, what lies nearer to x = 0 than this everywhere lies on it, and has no mirror image. */
+export const MIDDLE = 0.03;
+/** A ponytail is drawn from the side, where the head curves away: it is on the middle from further off. */
+export const MIDDLE_TAIL = 0.13;
 
 /** Decimals of stored points. */
 export const places = (height: number): number => placesFor(height);
