@@ -3,7 +3,9 @@ import { createServer } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { encodeLink } from '../../web/recipe/link/link';
 import { parseRecipe } from '../../web/recipe/parse';
-import { Desk, expect, moved, test } from './desk';
+import { Desk, expect, moved, SIZE, test } from './desk';
+
+test.use({ viewport: SIZE });
 
 test('at 1024 × 700 nothing is cut, covered or scrolled sideways', async ({ desk }) => {
   const { page } = desk;
@@ -89,7 +91,8 @@ test('it works from a sub-path, and after one visit without any connection', asy
   const { port } = server.address() as AddressInfo;
   const desk = new Desk(page);
   try {
-    await desk.open(`http://localhost:${port}/x/?test=1`);
+    // As visitors have it: with all its light, smoothing and motion.
+    await desk.open(`http://localhost:${port}/x/`);
     expect((await desk.shown()).step.handles).toHaveLength(2);
     await page.evaluate(async () => {
       await navigator.serviceWorker.ready;

@@ -1,7 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { encodeLink } from '../../web/recipe/link/link';
 import { parseRecipe } from '../../web/recipe/parse';
-import { Desk, diagonal, expect, gap, moved, test, withoutPickers } from './desk';
+import { Desk, diagonal, expect, gap, moved, SIZE, test, withoutPickers } from './desk';
+
+test.use({ viewport: SIZE });
 
 /** Tests do without motion and smoothing. */
 const forTest = (link: string): string => link.replace('#', '?test=1#');
@@ -21,7 +23,7 @@ test('a copied link shows another visitor the same shape at once and keeps what 
   expect(link.length).toBeLessThan(2000);
   await desk.picture('share');
 
-  const context = await browser.newContext();
+  const context = await browser.newContext({ viewport: SIZE });
   const visitor = new Desk(await withoutPickers(await context.newPage()));
   await visitor.open(new URL('?test=1', page.url()).href);
   await visitor.drag(await visitor.grip(1), { x: 40, y: -60 });

@@ -3,7 +3,7 @@ import { Background } from './background';
 import { Grid } from './grid';
 import { GroundShadow } from './ground-shadow';
 import type { Palette } from './palette';
-import { ENVIRONMENT, KEY_SLANT, Studio } from './studio';
+import { ENVIRONMENT, evenLight, KEY_SLANT, Studio } from './studio';
 import type { ViewSpace } from './view-space';
 
 /** Everything around the model: backdrop, ground with grid and shadows, light. */
@@ -19,9 +19,12 @@ export class Stage {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly scene: Scene,
+    /** An even light in place of the room's: computing that takes software rendering seconds. */
+    private readonly plain = false,
   ) {
     this.#studio = new Studio(renderer);
-    scene.environment = this.#studio.environment();
+    if (plain) scene.add(evenLight());
+    else scene.environment = this.#studio.environment();
     scene.environmentIntensity = ENVIRONMENT;
     scene.add(
       this.#background.mesh,
@@ -72,7 +75,7 @@ export class Stage {
 
   /** After the graphics card has lost everything. */
   restore(): void {
-    this.scene.environment = this.#studio.environment();
+    if (!this.plain) this.scene.environment = this.#studio.environment();
     this.shapeChanged();
   }
 

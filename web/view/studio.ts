@@ -4,6 +4,7 @@ import {
   Color,
   DirectionalLight,
   Group,
+  HemisphereLight,
   Mesh,
   MeshBasicMaterial,
   PlaneGeometry,
@@ -83,6 +84,10 @@ export class Studio {
     this.key.dispose();
   }
 }
+
+/** About as bright as the room, from above and below only. */
+export const evenLight = (): HemisphereLight =>
+  new HemisphereLight(new Color(...WALLS.ceiling), new Color(...WALLS.floor), 4);
 
 function roomScene(): Scene {
   const scene = new Scene();

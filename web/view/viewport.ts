@@ -103,7 +103,7 @@ export class Viewport implements ViewportPort {
     this.#renderer = rendererFor(canvas, options);
     const container = options.container ?? canvas.parentElement ?? document.body;
     Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
-    this.#stage = new Stage(this.#renderer, this.#scene);
+    this.#stage = new Stage(this.#renderer, this.#scene, options.test);
     this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, ViewSpace.identity, () => this.#redraw());
     this.#widget = new OrientationWidget((preset) => this.setView(preset), options.labels);
     container.append(this.#widget.element);
