@@ -128,7 +128,9 @@ MergedModel to_files(const JoinedMesh& joined, const Part& target_part, const Wo
     MergedModel out;
     std::vector<Eigen::RowVector3d> positions;
     std::vector<int> result_of_joined(static_cast<std::size_t>(joined.mesh.vertex_count()), -1); // a representative
-    const auto place = [&](int v) { return target.to_source(joined.mesh.points.row(v).transpose()).transpose(); };
+    const auto place = [&](int v) -> Eigen::RowVector3d {
+        return target.to_source(joined.mesh.points.row(v).transpose()).transpose();
+    };
 
     Side own(joined, target_part, target, false), other(joined, source_part, source, true);
     std::vector<char> used;
