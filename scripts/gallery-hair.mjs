@@ -55,6 +55,23 @@ class Hand {
     return fade ? { points, fade } : { points };
   }
 
+  /**
+   * How much shorter hair is cut that grows lower, so that it all ends at one level.
+   *
+   * @param max  of the hair that is not shortened
+   */
+  cutAt(level, max) {
+    const parts = [0.12, 0.3, 0.48, 0.66, 0.84].map((factor) => ({ factor, chosen: [] }));
+    for (const v of this.head.scalp) {
+      const fall = (1.15 * (this.head.points[v][1] - level)) / max;
+      const part = parts.findLast(({ factor }) => factor <= Math.max(fall, 0.12));
+      if (fall < 1) part.chosen.push(v);
+    }
+    return parts
+      .filter(({ chosen }) => chosen.length > 0)
+      .map(({ factor, chosen }) => ({ vertices: setOf(chosen), factor }));
+  }
+
   parting(stops, tilt) {
     const points = this.skin(stops, { lift: 0, steps: 4 }).map(round);
     return tilt ? { points, tilt } : { points };
@@ -88,6 +105,16 @@ class Hand {
       ...(tightness !== undefined && { tightness }),
     };
   }
+}
+
+/** Vertices in the recipe's shortest form. */
+function setOf(chosen) {
+  const ranges = [];
+  for (const v of chosen) {
+    if (ranges.at(-1)?.[1] === v - 1) ranges.at(-1)[1] = v;
+    else ranges.push([v, v]);
+  }
+  return ranges.length * 2 < chosen.length ? { ranges } : chosen;
 }
 
 /** Each line with its mirror image, those along the middle once. */
@@ -407,7 +434,7 @@ function bob(hand) {
         ),
       ]),
     ],
-    length: { max: 0.19, variation: 0.06 },
+    length: { max: 0.25, variation: 0.05, map: hand.cutAt(0.07, 0.25) },
     volume: 0.012,
     detail: { clump: 0.35, frizz: 0.1, flyaways: 0.01 },
     material: { melanin: 0.97, redness: 0.05, colorVariation: 0.1 },

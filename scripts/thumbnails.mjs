@@ -1,8 +1,8 @@
 // Renders the gallery's pictures with the app itself: public/gallery/thumbnails/*.webp, of the gallery cards' shape.
-// Run by hand after the gallery changed: node scripts/thumbnails.mjs
+// Run by hand after the gallery changed: node scripts/thumbnails.mjs [name ...]
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { bare, drawn, openStudio } from './lib/studio.mjs';
+import { bare, cameraOnHair, drawn, openStudio } from './lib/studio.mjs';
 
 const gallery = new URL('../public/gallery/', import.meta.url);
 const SIZE = { width: 512, height: 384 };
@@ -12,20 +12,35 @@ const PAGE = { width: 2 * SIZE.width + 48 + 300, height: 2 * SIZE.height + 44 + 
 const { models, examples } = JSON.parse(readFileSync(new URL('index.json', gallery), 'utf8'));
 mkdirSync(new URL('thumbnails/', gallery), { recursive: true });
 
-const { page, close } = await openStudio(PAGE);
-try {
-  for (const { name } of [...examples, ...models]) {
-    await page.evaluate(async (wanted) => {
-      const { app } = window.__lissom;
-      await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === wanted));
-      await app.evaluator.settled();
-    }, name);
-    // A card needs less air around a model than a gizmo does.
-    await page.evaluate(bare, { distance: 0.87 });
-    const picture = await page.evaluate(drawn, SIZE);
-    writeFileSync(new URL(`thumbnails/${name}.webp`, gallery), Buffer.from(picture, 'base64'));
-    console.log(name);
+const wanted = process.argv.slice(2);
+const all = [...examples, ...models].filter(({ name }) => wanted.length === 0 || wanted.includes(name));
+const isHair = ({ name }) => name.startsWith('hair-');
+await pictures(
+  all.filter((entry) => !isHair(entry)),
+  false,
+);
+await pictures(all.filter(isHair), true);
+
+/** @param ofHair  thousands of strands: seen from the front, and drawn once only */
+async function pictures(entries, ofHair) {
+  if (entries.length === 0) return;
+  const { page, close } = await openStudio(PAGE, { quick: ofHair });
+  page.setDefaultTimeout(300_000);
+  try {
+    for (const { name } of entries) {
+      await page.evaluate(async (title) => {
+        const { app } = window.__lissom;
+        await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === title));
+        await app.evaluator.settled();
+      }, name);
+      // A card needs less air around a model than a gizmo does.
+      await page.evaluate(bare, { distance: 0.87 });
+      if (ofHair) await page.evaluate(cameraOnHair);
+      const picture = await page.evaluate(drawn, SIZE);
+      writeFileSync(new URL(`thumbnails/${name}.webp`, gallery), Buffer.from(picture, 'base64'));
+      console.log(name);
+    }
+  } finally {
+    await close();
   }
-} finally {
-  await close();
 }

@@ -36,7 +36,9 @@ export class HeadSurface {
     this.points = Array.from({ length: vertices }, (_, v) =>
       [0, 1, 2].map((k) => bytes.readFloatLE(end + 13 * v + 4 * k)),
     );
-    const scalp = this.points.filter((_, v) => bytes[end + 13 * v + 12] !== 0);
+    /** Vertices that hair grows on. */
+    this.scalp = [...this.points.keys()].filter((v) => bytes[end + 13 * v + 12] !== 0);
+    const scalp = this.scalp.map((v) => this.points[v]);
     const from = end + 13 * vertices;
     this.triangles = Array.from({ length: faces }, (_, f) =>
       [0, 1, 2].map((k) => bytes.readInt32LE(from + 13 * f + 1 + 4 * k)),
