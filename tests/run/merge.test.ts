@@ -109,6 +109,13 @@ test('colours and texture coordinates come along from both sides', async () => {
     expect(uvs[2 * at]).toSatisfy((u: number) => Math.min(Math.abs(u - 0.25), Math.abs(u - 0.75)) < 1e-9);
 });
 
+test('a transition between the two is closed as well', async () => {
+  const transition = { sourceWidth: 0.4, targetWidth: 0.4 };
+  const { model, report } = await run({ boundaries: [boundary], transition });
+  expectWatertight(model);
+  expect(report).toMatchObject({ eulerCharacteristic: 2 });
+});
+
 describe('a feature and two regions are enough', () => {
   const models = { source: ball(28, 40, 0.12), target: ball(24, 36, 0) };
   const optimalBoundary = {

@@ -36,6 +36,11 @@ lissom::MergeOptions merge_options(const val& given) {
         options.mode = mode.as<std::string>() == "dependent" ? lissom::MergeMode::dependent : lissom::MergeMode::independent;
     read(given, "smoothing", options.smoothing);
     read(given, "coherenceRing", options.coherence_ring);
+    if (const val given_transition = given["transition"]; !given_transition.isUndefined()) {
+        lissom::Transition transition{given_transition["sourceWidth"].as<double>(), given_transition["targetWidth"].as<double>()};
+        read(given_transition, "weight", transition.weight);
+        options.transition = transition;
+    }
     if (const val pose = given["pose"]; !pose.isUndefined()) options.placement = affine_map(pose, "placement of the source");
     return options;
 }

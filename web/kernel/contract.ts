@@ -170,6 +170,12 @@ export interface MergeOptions {
   /** Umbrella iterations at the seam. */
   readonly smoothing?: number;
   readonly coherenceRing?: 1 | 2;
+  /** Overlapped transition regions: widths along the two surfaces in their own units, and the weight of E_T. */
+  readonly transition?: {
+    readonly sourceWidth: number;
+    readonly targetWidth: number;
+    readonly weight?: number;
+  };
   /** Column-major 4×4: where the source stands in the target's space; read by `dependent`. */
   readonly pose?: Float64Array;
 }

@@ -31,7 +31,7 @@ double angle(const Matrix3d& R) {
 /// One drag. All vectors are in slots; u is a displacement, of v′ before `undo_displacement` and of v after it.
 class Drag {
 public:
-    Drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets)
+    Drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, const Points* details)
         : p_(prepared), region_(prepared.region), targets_(targets),
           w_(Columns::Zero(region_.columns() - region_.unknowns, 3)), u_(Points::Zero(region_.slots(), 3)) {
         for (int h = 0; h < region_.handle_count; ++h) {
@@ -47,6 +47,8 @@ public:
             u_.row(s) = v * w_.block<3, 3>(row, 0) + w_.row(row + 3);
         }
         for (int k = 0; k < static_cast<int>(region_.poses.size()); ++k) set_pose(k);
+        details_.resize(std::ssize(p_.blend_rows), 3);
+        for (Eigen::Index b = 0; b < details_.rows(); ++b) details_.row(b) = details->row(p_.blend_rows[static_cast<std::size_t>(b)]) / p_.working.scale;
     }
 
     DeformResult run(bool settle) {
@@ -55,7 +57,9 @@ public:
                 solve(*p_.second, nullptr);
                 result_.iterations = 1;
             } else {
-                solve(*p_.first, nullptr); // Eq 2.8
+                const Columns ties = details_.rows() > 0 ? Columns(p_.implicit.blends * Points(p_.implicit.blend_scale.asDiagonal() * details_ - p_.implicit.blend_rest))
+                                                         : Columns();
+                solve(*p_.first, details_.rows() > 0 ? &ties : nullptr); // Eq 2.8, with E_T of Fu 3.3.3
                 if (settle && p_.has_second()) remove_shear();
                 else undo_displacement();
             }
@@ -132,6 +136,11 @@ private:
                 }
                 b.row(s) = (turns[s] * p_.rebuild.delta.row(s).transpose()).transpose();
             }
+            for (Eigen::Index k = 0; k < details_.rows(); ++k) { // interpolated details, Fu 3.3.3
+                const double share = p_.options.blended[p_.blend_rows[static_cast<std::size_t>(k)]].share;
+                auto detail = b.row(p_.blend_slots[static_cast<std::size_t>(k)]);
+                detail = (1 - share) * detail + share * (details_.row(k) - p_.rebuild.delta.row(p_.blend_slots[static_cast<std::size_t>(k)]));
+            }
             result_.rotate_seconds += watch_.lap();
             const Columns rhs = p_.rebuild.T * b;
             result_.reconstruct_seconds += watch_.lap();
@@ -181,6 +190,7 @@ private:
     std::span<const Eigen::Affine3d> targets_;
     Columns w_;                       ///< W − I of handles and poses, four rows each: (v, 1) times them moves v
     Points u_;
+    Points details_;                  ///< to mix in, working space
     std::vector<Matrix3d> rotations_; ///< of each handle
     std::vector<Matrix3d> turns_;     ///< s R − I of each handle
     Stopwatch watch_;
@@ -189,8 +199,8 @@ private:
 
 } // namespace
 
-DeformResult drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, bool settle) {
-    return Drag(prepared, targets).run(settle);
+DeformResult drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, bool settle, const Points* details) {
+    return Drag(prepared, targets, details).run(settle);
 }
 
 } // namespace lissom

@@ -40,8 +40,18 @@ void PreparedDeform::assemble() {
     const Eigen::VectorXd areas = vertex_areas(region.mesh);
     Points coordinates(region.unknowns, 3);
     for (int k = 0; k < region.unknowns; ++k) coordinates.row(k) = region.mesh.points.row(region.vertex_of_slot[k]);
+    std::vector<int> blended;
+    std::vector<int> local(static_cast<std::size_t>(working.mesh.vertex_count()), -1);
+    for (int v = 0; v < std::ssize(region.working); ++v) local[region.working[v]] = v;
+    for (std::size_t b = 0; b < options.blended.size(); ++b) {
+        const int w = working.working_of_source[options.blended[b].vertex], v = w < 0 ? -1 : local[w];
+        if (v < 0 || region.role[v] != Role::free) continue;
+        blended.push_back(v);
+        blend_rows.push_back(static_cast<int>(b));
+        blend_slots.push_back(region.slot[v]);
+    }
     if (has_first()) {
-        implicit = implicit_system(region, L, areas, options.coherence_ring);
+        implicit = implicit_system(region, L, areas, options.coherence_ring, blended, options.blend_weight);
         first.emplace(std::move(implicit.equations), coordinates);
     }
     if (has_second()) {
@@ -89,7 +99,7 @@ double DeformSession::fraction() const {
     return all > 0 ? done / all : 1;
 }
 
-DeformResult DeformSession::deform(std::span<const Eigen::Affine3d> targets, bool settle) const {
+DeformResult DeformSession::deform(std::span<const Eigen::Affine3d> targets, bool settle, const Points* details) const {
     if (targets.size() != state_->prepared.handles.size())
         throw InvalidInput("handle-count", "There are " + std::to_string(state_->prepared.handles.size()) + " handles but " +
                                                std::to_string(targets.size()) + " targets. Give one for each handle.");
@@ -97,7 +107,9 @@ DeformResult DeformSession::deform(std::span<const Eigen::Affine3d> targets, boo
         if (!targets[h].matrix().allFinite())
             throw InvalidInput("non-finite-target", "The target of handle " + std::to_string(h + 1) +
                                                         " holds a number that is not finite. Reset the handle.");
-    return drag(state_->prepared, targets, settle);
+    if ((details == nullptr ? 0 : details->rows()) != std::ssize(state_->prepared.options.blended))
+        throw InvalidInput("detail-count", "There are " + std::to_string(state_->prepared.options.blended.size()) + " blended vertices; give a detail for each.");
+    return drag(state_->prepared, targets, settle, details);
 }
 
 int DeformSession::free_vertices() const { return state_->prepared.region.unknowns; }

@@ -27,6 +27,8 @@ struct PreparedDeform {
     std::vector<std::pair<int, int>> free_sources{};   ///< source vertex and its unknown
     std::vector<std::pair<int, int>> handle_sources{}; ///< source vertex and its handle
 
+    std::vector<int> blend_rows{}, blend_slots{}; ///< blended vertices that are free: their place in the options, their slot
+
     std::vector<Finding> warnings{};
     double assemble_seconds = 0, factor_seconds = 0;
 
@@ -45,7 +47,8 @@ struct DeformSession::State {
 };
 
 /// One drag, see DeformSession::deform.
-[[nodiscard]] DeformResult drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, bool settle);
+[[nodiscard]] DeformResult drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, bool settle,
+                                const Points* details);
 
 /// Seconds since it was made or last asked.
 class Stopwatch {

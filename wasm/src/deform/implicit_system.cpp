@@ -3,6 +3,7 @@
 #include "lissom/mesh/operators.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lissom {
 namespace {
@@ -19,7 +20,7 @@ public:
         : region_(region), L_(L), areas_(areas), coherence_ring_(coherence_ring),
           mean_area_(areas.mean()), edge_(mean_edge_length(region.mesh)) {}
 
-    ImplicitSystem run() {
+    ImplicitSystem run(std::span<const int> blended, double blend_weight) {
         find_gradients();
         express_gradients();
         const int columns = region_.columns();
@@ -34,6 +35,7 @@ public:
             add_laplacian(i, row);
             row.append_to(left);
         }
+        add_blends(blended, std::sqrt(blend_weight), row, left, right);
         out_.equations = normal_equations(left, right, region_.unknowns, columns);
         return std::move(out_);
     }
@@ -130,6 +132,30 @@ private:
         }
     }
 
+    /// Rows M_i δ_i − d_i of E_T (Fu 3.3.3), in the units of E_L; d_i comes with the drag.
+    void add_blends(std::span<const int> blended, double weight, RowBuilder<4>& row, EntryRows<4>& left, EntryRows<4>& right) {
+        std::vector<Eigen::Triplet<double>> entries;
+        const auto count = std::ssize(blended);
+        out_.blend_scale.resize(count);
+        out_.blend_rest.resize(count, 3);
+        for (Eigen::Index b = 0; b < count; ++b) {
+            const int i = blended[static_cast<std::size_t>(b)];
+            out_.blend_scale[b] = mean_area_ / (std::max(areas_[i], k_least_area * mean_area_) * edge_);
+            out_.blend_rest.row(b) = out_.blend_scale[b] * laplacian_.row(i);
+            const Vector3d delta = out_.blend_rest.row(b).transpose();
+            for (const bool of_left : {true, false}) {
+                for (int e = out_.gradients.offsets[i]; e < out_.gradients.offsets[i + 1]; ++e)
+                    add_position(out_.gradients.vertices[e], weight * out_.gradients.coefficients.row(e).dot(delta) * Eigen::Vector4d::Unit(3), row);
+                if (of_left)
+                    for (const int column : row.touched())
+                        if (column < region_.unknowns) entries.emplace_back(column, static_cast<int>(b), weight * row[column][3]);
+                row.append_to(of_left ? left : right);
+            }
+        }
+        out_.blends.resize(region_.unknowns, count);
+        out_.blends.setFromTriplets(entries.begin(), entries.end());
+    }
+
     [[nodiscard]] std::span<const int> neighbours(int i) {
         if (coherence_ring_ == 1) return region_.rings[i];
         two_ring_.clear();
@@ -179,8 +205,9 @@ private:
 
 } // namespace
 
-ImplicitSystem implicit_system(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, int coherence_ring) {
-    return Assembly(region, L, areas, coherence_ring).run();
+ImplicitSystem implicit_system(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, int coherence_ring,
+                               std::span<const int> blended, double blend_weight) {
+    return Assembly(region, L, areas, coherence_ring).run(blended, blend_weight);
 }
 
 } // namespace lissom

@@ -7,6 +7,7 @@
 #include "lissom/merge/opened_target.h"
 #include "lissom/merge/refine.h"
 #include "lissom/merge/similarity.h"
+#include "lissom/merge/transition.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/topology.h"
@@ -133,6 +134,9 @@ struct MergeSession::State {
     std::vector<std::pair<int, int>> first_handle{}; ///< of each loop: handles of its vertices, one each
     std::vector<MergeHandle> fixed{};
     std::vector<int> loose{}; ///< part vertices of pieces that nothing holds
+    std::vector<Strip> source_strips{}, target_strips{}; ///< of each loop, where there are transitions
+    std::vector<std::pair<int, int>> blended{};          ///< loop and strip vertex of each blended vertex
+    Points target_curvature{};                           ///< per target working vertex, the curvature normal
     std::vector<Finding> warnings{};
     double prepare_seconds = 0;
     std::vector<double> energies{};
@@ -141,10 +145,13 @@ struct MergeSession::State {
 
     void cut(std::span<const MergeBoundary> boundaries);
     void find_boundary(const PaintedRegions& regions);
+    void cut_transitions();
     void refine();
     void prepare(std::span<const int> roi, std::span<const MergeHandle> handles);
     [[nodiscard]] std::vector<LoopMatch> match(std::span<const MergeKeys> keys, bool turned, std::vector<MergeKeys>& used, std::vector<Finding>& found) const;
-    [[nodiscard]] Points deform_source(const std::vector<LoopMatch>& matches, bool turned, bool settle, double& seconds) const;
+    [[nodiscard]] LoopMatch match_beyond_strip(std::size_t k, const std::vector<int>& loop, MergeKeys& keys) const;
+    [[nodiscard]] Points details(std::span<const MergeKeys> keys, bool turned, double scale) const;
+    [[nodiscard]] Points deform_source(const std::vector<LoopMatch>& matches, std::span<const MergeKeys> keys, bool turned, bool settle, double& seconds) const;
 };
 
 void MergeSession::State::cut(std::span<const MergeBoundary> boundaries) {
@@ -156,6 +163,41 @@ void MergeSession::State::cut(std::span<const MergeBoundary> boundaries) {
     }
     source_part = cut_part(source.mesh, source_loops, "source");
     target_part = cut_part(target.mesh, target_loops, "target");
+    if (options.transition) cut_transitions();
+}
+
+void MergeSession::State::cut_transitions() {
+    const Transition& transition = *options.transition;
+    if (!(transition.source_width > 0) || !(transition.target_width > 0) || !(transition.weight >= 0))
+        throw InvalidInput("bad-option", "The widths of the transition must be above 0, and its weight not below 0.");
+    for (int k = 0; k < std::ssize(source_part.loops); ++k) {
+        Part rest;
+        source_strips.push_back(cut_strip(source_part, k, transition.source_width / source.scale, "source", rest));
+        target_strips.push_back(cut_strip(target_part, k, transition.target_width / target.scale, "target", rest));
+        target_part = std::move(rest);
+    }
+    std::vector<char> taken(source_part.origin.size(), 0);
+    for (const std::vector<int>& loop : source_part.loops)
+        for (const int v : loop) taken[v] = 1;
+    for (int k = 0; k < std::ssize(source_strips); ++k)
+        for (int v = 0; v < std::ssize(source_strips[k].part_vertex); ++v)
+            if (const int p = source_strips[k].part_vertex[v]; p >= 0 && !std::exchange(taken[p], 1)) blended.emplace_back(k, v);
+
+    target_curvature = (cotangent_laplacian(target.mesh) * target.mesh.points).array().colwise() / vertex_areas(target.mesh).array();
+    // The Laplacian of a vertex on an opening sees one side only: its neighbours' inside stand in for it.
+    const std::vector<bool> open = boundary_vertices(target.mesh);
+    const VertexRings rings = vertex_rings(target.mesh);
+    for (int v = 0; v < target.mesh.vertex_count(); ++v) {
+        if (!open[v]) continue;
+        int count = 0;
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (const int n : rings[v])
+            if (!open[n]) {
+                sum += target_curvature.row(n);
+                ++count;
+            }
+        target_curvature.row(v) = count > 0 ? Eigen::RowVector3d(sum / count) : Eigen::RowVector3d(Eigen::RowVector3d::Zero());
+    }
 }
 
 void MergeSession::State::find_boundary(const PaintedRegions& regions) {
@@ -226,7 +268,14 @@ void MergeSession::State::prepare(std::span<const int> roi, std::span<const Merg
         for (int v = 0; v < source_part.mesh.vertex_count(); ++v)
             if (const Origin& o = source_part.origin[v]; inside[o.vertex[0]] && inside[o.vertex[1]] && inside[o.vertex[2]]) movable.push_back(v);
     }
-    deform.emplace(*posed, movable, held, DeformOptions{.remove_shear = true, .scale_details = true, .coherence_ring = options.coherence_ring});
+    DeformOptions solving{.remove_shear = true, .scale_details = true, .coherence_ring = options.coherence_ring};
+    if (options.transition) {
+        solving.blend_weight = options.transition->weight;
+        for (const auto& [k, v] : blended) // 1 at the seam, where the target's detail continues, 0 at the far edge
+            solving.blended.push_back({source_strips[k].part_vertex[v],
+                                       std::clamp(1 - source_strips[k].distance[v] * source.scale / options.transition->source_width, 0.0, 1.0)});
+    }
+    deform.emplace(*posed, movable, held, std::move(solving));
     for (const Finding& w : deform->warnings())
         if (w.code == "nothing-free") warnings.push_back(w);
 
@@ -252,6 +301,11 @@ std::vector<LoopMatch> MergeSession::State::match(std::span<const MergeKeys> key
         }
         MergeKeys local;
         used.push_back(keys[k]);
+        if (!target_strips.empty()) {
+            matches.push_back(match_beyond_strip(k, loop, used.back()));
+            if (keys[k].empty()) found.push_back({"key-found", 1, {static_cast<int>(k)}, true});
+            continue;
+        }
         for (const auto& [s, t] : keys[k]) {
             const int a = source_place[to_working({s}, source, "source").front()], b = target_place[to_working({t}, target, "target").front()];
             local.emplace_back(a, b);
@@ -269,7 +323,69 @@ std::vector<LoopMatch> MergeSession::State::match(std::span<const MergeKeys> key
     return matches;
 }
 
-Points MergeSession::State::deform_source(const std::vector<LoopMatch>& matches, bool turned, bool settle, double& seconds) const {
+/// Keys name vertices of the target's boundary; the loop to be met lies across the strip from there.
+LoopMatch MergeSession::State::match_beyond_strip(std::size_t k, const std::vector<int>& loop, MergeKeys& keys) const {
+    const Strip& strip = target_strips[k];
+    const auto on_boundary = [&](int working) {
+        for (const int v : strip.near)
+            if (strip.origin[v].is_vertex() && strip.origin[v].vertex[0] == working) return v;
+        throw InvalidInput("key-not-on-boundary", "A key names target vertex " + std::to_string(target.source_of_working[working]) + ", which is not on the boundary. Place the key on it.");
+    };
+    MergeKeys local, beyond;
+    if (keys.empty()) {
+        const auto [s, t] = best_key(source_part.mesh.points, loop, strip.mesh.points, strip.near);
+        keys.emplace_back(source.source_of_working[source_part.origin[s].vertex[0]], target.source_of_working[strip.origin[t].vertex[0]]);
+    }
+    for (const auto& [s, t] : keys)
+        local.emplace_back(source_place[to_working({s}, source, "source").front()], on_boundary(to_working({t}, target, "target").front()));
+    (void)match_loops(source_part.mesh.points, loop, strip.mesh.points, strip.near, local); // says what is wrong with the keys as given
+    for (const auto& [s, t] : local)
+        if (const int end = across_from(strip, t); end >= 0) {
+            const auto at = std::find(strip.far.begin(), strip.far.end(), end) - strip.far.begin();
+            beyond.emplace_back(s, strip.far_in_rest[static_cast<std::size_t>(at)]);
+        }
+    try {
+        return match_loops(source_part.mesh.points, loop, target_part.mesh.points, target_part.loops[k], beyond);
+    } catch (const InvalidInput&) { // paths across may run together: then the first key alone tells the turn
+        beyond.resize(std::min<std::size_t>(beyond.size(), 1));
+        return match_loops(source_part.mesh.points, loop, target_part.mesh.points, target_part.loops[k], beyond);
+    }
+}
+
+/// L v that the target's detail asks for at each blended vertex: its curvature normal at the partner in the other
+/// strip (both over the unit square), times the area that the source's vertex will have.
+Points MergeSession::State::details(std::span<const MergeKeys> keys, bool turned, double scale) const {
+    const Eigen::VectorXd areas = vertex_areas(source_part.mesh);
+    Points result = Points::Zero(std::ssize(blended), 3);
+    for (int k = 0; k < std::ssize(source_strips); ++k) {
+        const Strip &own = source_strips[k], &other = target_strips[k];
+        const auto start = [&](const Strip& strip, int working) {
+            for (const int v : strip.near)
+                if (strip.origin[v].is_vertex() && strip.origin[v].vertex[0] == working) return v;
+            return strip.near.front();
+        };
+        const auto [s, t] = keys[k].front();
+        const SquareMap own_map = square_map(own, start(own, source.working_of_source[s]), turned);
+        const SquareMap other_map = square_map(other, start(other, target.working_of_source[t]), true);
+        const PlaneLocator locator(other_map.points, other_map.triangles);
+        for (std::size_t b = 0; b < blended.size(); ++b) {
+            if (blended[b].first != k) continue;
+            const int v = blended[b].second; // the first copy of a vertex on the cut keeps its number
+            // The strips overlap: where the source's begins, the target's ends.
+            const PlanePlace place = locator.locate({own_map.points(v, 0), 1 - own_map.points(v, 1)}, true);
+            if (place.triangle < 0) continue;
+            Eigen::RowVector3d curvature = Eigen::RowVector3d::Zero();
+            for (int c = 0; c < 3; ++c) {
+                const Origin& origin = other.origin[other_map.original[other_map.triangles(place.triangle, c)]];
+                for (int o = 0; o < 3; ++o) curvature += place.weight[c] * origin.weight[o] * target_curvature.row(origin.vertex[o]);
+            }
+            result.row(static_cast<Eigen::Index>(b)) = scale * scale * areas[own.part_vertex[v]] * curvature;
+        }
+    }
+    return result;
+}
+
+Points MergeSession::State::deform_source(const std::vector<LoopMatch>& matches, std::span<const MergeKeys> keys, bool turned, bool settle, double& seconds) const {
     std::vector<Affine3d> maps;
     Points rest(0, 3), there(0, 3);
     const Points normals = turned ? Points(-source_normals) : source_normals;
@@ -292,7 +408,9 @@ Points MergeSession::State::deform_source(const std::vector<LoopMatch>& matches,
         }
     }
     for (const MergeHandle& handle : fixed) maps.push_back(target.to_working(handle.map));
-    DeformResult moved = deform->deform(maps, settle);
+    Points wanted;
+    if (!blended.empty()) wanted = details(keys, turned, options.mode == MergeMode::independent ? fit_similarity(rest, there).scale : 1);
+    DeformResult moved = deform->deform(maps, settle, blended.empty() ? nullptr : &wanted);
     seconds = moved.solve_seconds + moved.rotate_seconds + moved.reconstruct_seconds;
     if (!loose.empty()) {
         const Affine3d whole = fit_similarity(rest, there).affine();
@@ -355,7 +473,7 @@ MergeResult MergeSession::merge(std::span<const MergeKeys> keys, bool settle) co
     }
     if (result.source_turned) result.warnings.push_back({"source-turned", 1, {}, true});
 
-    const Points positions = s.deform_source(matches, result.source_turned, settle, result.solve_seconds);
+    const Points positions = s.deform_source(matches, result.keys, result.source_turned, settle, result.solve_seconds);
     watch.lap();
     JoinedMesh joined = stitch(s.target_part, s.source_part, result.source_turned, positions, matches);
     std::vector<char> moved(static_cast<std::size_t>(joined.target_vertices), 0);

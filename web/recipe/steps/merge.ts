@@ -20,15 +20,23 @@ const handle = v.strictObject({
 });
 
 const POSITIVE = 'a number above 0';
+const positive = v.pipe(
+  finite,
+  v.check((number) => number > 0, POSITIVE),
+);
+
+/** Widths along the two surfaces, in their own units; the weight is w_T of E_T (Fu 3.3.3). */
+const transition = v.strictObject({
+  sourceWidth: positive,
+  targetWidth: positive,
+  weight: v.optional(v.pipe(finite, v.minValue(0, 'a number from 0 on')), 0.1),
+});
 
 /** How the source's plane map lies on the target's: scaled, turned (degrees), then moved. */
 const placement = v.strictObject({
   shift: v.strictTuple([finite, finite], 'two numbers'),
   turn: finite,
-  scale: v.pipe(
-    finite,
-    v.check((scale) => scale > 0, POSITIVE),
-  ),
+  scale: positive,
 });
 
 /** Painted regions; the boundary is found between the feature and the edge of the source region. */
@@ -53,6 +61,8 @@ export const mergeStep = v.strictObject({
   mode: v.optional(v.picklist(['independent', 'dependent']), 'independent'),
   boundaries: v.optional(list(boundary), []),
   optimalBoundary: v.optional(optimalBoundary),
+  /** With `boundaries` only. */
+  transition: v.optional(transition),
   roi: v.optional(vertexSet, 'all'),
   handles: v.optional(list(handle), []),
   pose: v.optional(matrix),

@@ -20,6 +20,11 @@ export const mergeRunner: StepRunner<MergeStep> = {
         'two-boundaries',
         `${path}: both boundaries and optimalBoundary say where to join the models; keep one of them.`,
       );
+    if (optimalBoundary && step.transition)
+      throw new LissomError(
+        'transition-without-boundaries',
+        `${path}: a transition needs boundaries, not an optimalBoundary; remove one of them.`,
+      );
     if (optimalBoundary && source) {
       checkVertices(optimalBoundary.sourceRegion, `${path}.optimalBoundary.sourceRegion`, source);
       checkVertices(optimalBoundary.feature, `${path}.optimalBoundary.feature`, source);
@@ -82,6 +87,7 @@ export const mergeRunner: StepRunner<MergeStep> = {
         options: {
           mode: step.mode,
           smoothing: step.smoothing,
+          ...(step.transition ? { transition: step.transition } : {}),
           ...(step.pose ? { pose: Float64Array.from(step.pose) } : {}),
         },
       },
@@ -148,4 +154,5 @@ const prepared = (step: MergeStep): object => ({
   handles: step.handles.map(({ vertices, matrix }) => [vertexSetKey(vertices), matrix ?? IDENTITY]),
   pose: step.pose ?? IDENTITY,
   smoothing: step.smoothing,
+  transition: step.transition ?? 'none',
 });

@@ -15,12 +15,20 @@ enum class DeformMethod {
     naive      ///< Eq 2.1: Laplacian coordinates kept as they are (the baseline to compare with); no first system
 };
 
+/// A vertex whose detail is mixed with one from elsewhere, as in a transition between two surfaces (Fu 3.3.3).
+struct BlendedDetail {
+    int vertex = 0;   ///< source index; free
+    double share = 0; ///< of the other detail, in [0, 1]
+};
+
 struct DeformOptions {
     DeformMethod method = DeformMethod::implicit;
     bool remove_shear = true;   ///< polar decomposition and second solve (Eq 2.10/2.11); read by `implicit` only
     bool scale_details = false; ///< Eq 2.11 (details take the local scale) instead of Eq 2.10
     int iterations = 1;         ///< reconstructions, ≥ 1; read by `iterative` only
     int coherence_ring = 1;     ///< 1 or 2: which neighbours share gradients (Eq 2.7)
+    std::vector<BlendedDetail> blended{}; ///< each vertex at most once; see `deform`
+    double blend_weight = 0.1;  ///< w_T of E_T, which draws gradients of blended vertices to the other detail (Fu 3.3.3)
 };
 
 /// One handle: source vertices that the user moves.
@@ -75,9 +83,10 @@ public:
     /// @param targets  one affine map per handle, from the REST pose, source space; a point handle reads the
     ///                 image of its rest position, so a translation places it
     /// @param settle   false: only the first solve (sheared preview, as the paper does while the mouse moves)
-    /// @throws InvalidInput `handle-count`, `non-finite-target`
+    /// @param details  one row per blended vertex: the detail L v to mix in, where the result is; null where none is blended
+    /// @throws InvalidInput `handle-count`, `non-finite-target`, `detail-count`
     /// @throws SolverFailure  the result is not finite
-    [[nodiscard]] DeformResult deform(std::span<const Eigen::Affine3d> targets, bool settle = true) const;
+    [[nodiscard]] DeformResult deform(std::span<const Eigen::Affine3d> targets, bool settle = true, const Points* details = nullptr) const;
 
     [[nodiscard]] int free_vertices() const;
     [[nodiscard]] int degenerate_vertices() const; ///< displaced by Eq 2.9

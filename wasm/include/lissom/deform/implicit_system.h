@@ -20,6 +20,11 @@ struct ImplicitSystem {
     Points coefficients;        ///< c_k
     std::vector<int> gradient_handle; ///< per slot; −1: its own ring (an empty one is the identity)
 
+    /// E_T of blended vertices: its right-hand side is `blends` times (blend_scale ∘ detail − blend_rest).
+    Eigen::SparseMatrix<double, Eigen::RowMajor> blends; ///< unknowns × blended
+    Eigen::VectorXd blend_scale;
+    Points blend_rest;
+
     std::vector<int> displaced; ///< slots where v′ ≠ v, ascending
     Points displacement;        ///< v′ − v of those
 };
@@ -27,6 +32,8 @@ struct ImplicitSystem {
 /// @param L     cotangent Laplacian of region.mesh
 /// @param areas vertex areas of region.mesh
 /// @param coherence_ring 1 or 2, SF of Eq 2.7
-[[nodiscard]] ImplicitSystem implicit_system(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, int coherence_ring);
+/// @param blended  vertices of the region with a row of E_T; @param blend_weight  w_T
+[[nodiscard]] ImplicitSystem implicit_system(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, int coherence_ring,
+                                             std::span<const int> blended = {}, double blend_weight = 0);
 
 } // namespace lissom

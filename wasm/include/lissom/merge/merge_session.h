@@ -31,10 +31,19 @@ struct MergeHandle {
     Eigen::Affine3d map = Eigen::Affine3d::Identity(); ///< from the placed source, in the target's space
 };
 
+/// Overlapped transition regions (Fu 3.3.3): the source's boundary is carried to the far edge of the target's region, and
+/// between there and the far edge of the source's region the details change from one to the other.
+struct Transition {
+    double source_width = 0; ///< > 0, along the source's surface, in its unit
+    double target_width = 0; ///< > 0, along the target's, in its unit: this much of it gives way
+    double weight = 0.1;     ///< w_T of E_T
+};
+
 struct MergeOptions {
     MergeMode mode = MergeMode::independent;
     int smoothing = 0;       ///< umbrella iterations at the seam; they move the target's seam vertices too
     int coherence_ring = 1;  ///< see DeformOptions
+    std::optional<Transition> transition{};
     Eigen::Affine3d placement = Eigen::Affine3d::Identity(); ///< of the source in the target's space; read by `dependent`
 };
 
