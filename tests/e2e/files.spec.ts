@@ -104,13 +104,14 @@ test('a project file holds model, recipe and all, and a reload brings the work b
   const last = await desk.shown();
   const { entries, index } = await desk.history();
   await expect(page.getByText(/^saved/)).toBeVisible();
+  const told = page.getByText('Your work of last time is back.').waitFor();
   await page.reload();
   await desk.ready();
   const back = await desk.shown();
   expect(gap(back.positions, last.positions)).toBe(0);
   expect(back.step).toEqual(last.step);
   expect(await desk.history()).toEqual({ entries, index });
-  await expect(page.getByText('Your work of last time is back.')).toBeVisible();
+  await told;
   await desk.press('Control+z');
   expect((await desk.shown()).positions).toEqual(opened.positions);
 

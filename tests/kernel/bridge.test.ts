@@ -180,6 +180,22 @@ test('a worker that dies fails what was in flight, and the next request meets a 
   expect((await client.call('deform', { deform, targets: targets(0) })).positions[0]).toBe(2);
 });
 
+test('a worker that vanishes without a word is missed, and the next request meets a new one', async () => {
+  const { client, workers } = bridge((epoch) => ({ deform: () => moved(epoch) }));
+  const call = () => client.call('deform', { deform, targets: targets(0) });
+  await call();
+  workers[0]?.vanish();
+  vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] });
+  try {
+    const lost = expect(call()).rejects.toMatchObject({ code: 'worker-restarted' });
+    vi.advanceTimersByTime(60_000);
+    await lost;
+  } finally {
+    vi.useRealTimers();
+  }
+  expect((await call()).positions[0]).toBe(1);
+});
+
 test('running out of memory is said in a sentence, and the worker is replaced', async () => {
   const exhausted = [
     () => refuse('out-of-memory', 'memory', ''),

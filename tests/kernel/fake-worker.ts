@@ -24,6 +24,11 @@ export class FakeWorker implements WorkerLike {
     this.#channel.port1.close();
   }
 
+  /** It is gone and nobody is told. */
+  vanish(): void {
+    this.#channel.port1.close();
+  }
+
   /** An uncaught error in the worker, or a script that could not be fetched. */
   die(message: string): void {
     this.onerror?.({ message, preventDefault() {} } as ErrorEvent);

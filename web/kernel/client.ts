@@ -15,6 +15,8 @@ import type { Failure, Reply, Request } from './messages';
 
 /** How long a cancelled request may keep the worker busy before it is replaced, in milliseconds. */
 const PATIENCE = 150;
+/** How long an idle worker may take to begin a request before it is taken for dead, in milliseconds. */
+const SILENCE = 5000;
 
 /** What a Worker and a test's stand-in have in common. */
 export interface WorkerLike {
@@ -40,7 +42,7 @@ interface Pending {
  *
  * A cancelled request rejects at once. If it has begun and does not stop within 150 ms, the worker is
  * terminated and a new one started: whatever else was in flight rejects with `worker-restarted` and `epoch`
- * grows. The same happens when the worker dies by itself or runs out of memory.
+ * grows. The same happens when the worker dies by itself, with or without a word, or runs out of memory.
  */
 export class KernelClient implements KernelPort {
   #epoch = 0;
@@ -68,7 +70,11 @@ export class KernelClient implements KernelPort {
     return new Promise<Result<M>>((resolve, reject) => {
       const onAbort = () => this.#cancel(id);
       signal?.addEventListener('abort', onAbort, { once: true });
-      const detach = () => signal?.removeEventListener('abort', onAbort);
+      const silence = setTimeout(() => this.#listen(worker, id), SILENCE);
+      const detach = () => {
+        clearTimeout(silence);
+        signal?.removeEventListener('abort', onAbort);
+      };
       this.#pending.set(id, { resolve, reject, onProgress, detach, begun: false, cancelled: false });
       try {
         worker.postMessage({ id, method, args } as Request, transfer);
@@ -127,6 +133,14 @@ export class KernelClient implements KernelPort {
     setTimeout(() => {
       if (pending.begun && this.#pending.get(id) === pending) this.#replace(worker);
     }, PATIENCE);
+  }
+
+  /** A worker says at once when it begins a request, unless another one keeps it busy: else it is dead. */
+  #listen(worker: WorkerLike, id: number): void {
+    const isSilent = () =>
+      this.#ready && this.#pending.has(id) && ![...this.#pending.values()].some(({ begun }) => begun);
+    // Where the page itself was busy, the word may have come and only wait to be heard.
+    if (isSilent()) setTimeout(() => isSilent() && this.#replace(worker), PATIENCE);
   }
 
   #take(id: number): Pending | undefined {

@@ -16,8 +16,10 @@ const EASE = 50;
 const NEAREST = 1e-3;
 /** A single vertex is shown from no nearer than this. */
 const SMALLEST_FRAME = 0.1;
-/** The viewport is this much larger than what it frames: a handle at the top needs room for its gizmo. */
-const AIR = 1.36;
+/** The viewport is this much larger than what it frames. */
+const AIR = 1.22;
+/** And more above and below: a handle at the top needs room for its gizmo. */
+const AIR_ABOVE = 1.36;
 const FARTHEST = 60;
 
 const PRESETS: Readonly<Record<ViewPreset, readonly [turn: number, tilt: number]>> = {
@@ -109,7 +111,7 @@ export class CameraRig {
     const goal = this.#goal;
     const { right, up, back } = axes(goal);
     const tanX = (HALF_TAN * this.#width) / this.#height / AIR;
-    const tanY = HALF_TAN / AIR;
+    const tanY = HALF_TAN / AIR_ABOVE;
     // A point at (x, y, z) in the camera's axes lies inside when |x − cx| ≤ (d − z)·tan: with the widest
     // cone on either side, the two meet in the place and distance sought.
     const low = [Infinity, Infinity, Infinity];
