@@ -884,7 +884,7 @@ function waves(hand) {
 const STYLES = [
   ['hair-smooth', 'Swept back', 'head-female', smooth],
   ['hair-parted', 'Middle parting', 'head-female', parted],
-  ['hair-bob', 'Bob with a fringe', 'head-female', bob],
+  ['hair-bob', 'Bob', 'head-female', bob],
   ['hair-ponytail', 'Ponytail', 'head-female', ponytail],
   ['hair-pigtails', 'Two ponytails', 'head-elf', pigtails],
   ['hair-curly', 'Curls', 'head-male', curly],

@@ -57,8 +57,8 @@ export class Gallery implements GalleryService {
     const { models, examples } = await this.#list();
     const thumbnail = (name: string) => `${this.base}thumbnails/${name}.webp`;
     const finished = examples.map(({ name, title, file, model }) => {
-      const { licence = '', vertices = 0 } = models.find((each) => each.name === model) ?? {};
-      return { name, title, licence, vertices, thumbnail: thumbnail(name), recipe: file };
+      const { licence = '', vertices = 0, scalp = false } = models.find((each) => each.name === model) ?? {};
+      return { name, title, licence, vertices, scalp, thumbnail: thumbnail(name), recipe: file };
     });
     const bare = models.map(({ name, title, licence, vertices, scalp = false }) => ({
       name,

@@ -5,7 +5,7 @@ import { Button } from '../controls/button';
 import { Dialog } from '../controls/dialog';
 
 export function GalleryDialog({ onClose }: { onClose: () => void }) {
-  const { gallery, files, messages } = useApp();
+  const { state, gallery, files, messages } = useApp();
   const entries = gallery.entries.value;
   const open = (entry: GalleryEntry) => {
     onClose();
@@ -28,6 +28,12 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
         </ul>
       </section>
     );
+  // What is worked on comes first.
+  const inHair = state.workspace.value === 'hair';
+  const hairstyles = group(
+    t('ui.gallery.hairstyles'),
+    entries.filter((entry) => entry.recipe && entry.scalp),
+  );
   return (
     <Dialog
       wide
@@ -46,10 +52,12 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
         />
       }
     >
+      {inHair && hairstyles}
       {group(
         t('ui.gallery.examples'),
-        entries.filter((entry) => entry.recipe),
+        entries.filter((entry) => entry.recipe && !entry.scalp),
       )}
+      {!inHair && hairstyles}
       {group(
         t('ui.gallery.models'),
         entries.filter((entry) => !entry.recipe),
