@@ -37,6 +37,15 @@ test('after the worker died the next edit is computed by a new one', async ({ de
   for (const handle of after.step.handles) expect(handleGap(handle, after)).toBeLessThan(1e-5);
   await desk.press('Control+z');
   expect(gap((await desk.shown()).positions, before.positions)).toBeLessThan(1e-9);
+
+  await test.step('even where it died without a word', async () => {
+    await page.workers()[0]!.evaluate(() => self.close());
+    await desk.press('Control+Shift+Z');
+    expect(gap((await desk.shown()).positions, after.positions)).toBeLessThan(1e-9);
+    await desk.drag(await desk.grip(1), { x: 10, y: 10 });
+    const again = await desk.shown();
+    expect(gap(again.positions, after.positions)).toBeGreaterThan(0.01);
+  });
 });
 
 test('a long factorization can be cancelled, and the page goes on', async ({ desk }) => {

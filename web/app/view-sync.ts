@@ -129,7 +129,12 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
 
 function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | null): void {
   const { model, opened } = next.input;
-  if (before?.input.opened !== opened || before.input.key !== next.input.key) {
+  // A new worker opens the same model anew: that alone must not end what the hand is doing.
+  const isShown =
+    before?.input.key === next.input.key &&
+    before.input.model.colors === model.colors &&
+    before.input.model.upAxis === model.upAxis;
+  if (!isShown) {
     const { positions, faceOffsets, faceVertices, colors, upAxis } = model;
     const { triangles, welded } = opened;
     const keepCamera = before?.input.model.faceVertices === faceVertices;

@@ -47,10 +47,11 @@ export class Gizmo {
   }
 
   set(state: GizmoState | null, events: GizmoEvents | undefined, space: ViewSpace): void {
+    // What is held when the gizmo goes has not happened; its holder has to know.
+    if (!state) this.cancel();
     this.#events = events;
     this.#space = space;
     if (!state) {
-      if (this.#controls.dragging) this.#controls.pointerUp(null);
       this.#controls.detach();
       return;
     }
