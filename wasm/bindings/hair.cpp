@@ -1,10 +1,10 @@
 #include "convert.h"
 #include "lissom/hair/hair_session.h"
+#include "lissom/mesh/stopwatch.h"
 
 #include <emscripten/bind.h>
 
 #include <array>
-#include <chrono>
 #include <memory>
 
 using namespace emscripten;
@@ -180,9 +180,9 @@ HeldGrowth* grow(const HeldHair& held, double from, double count, const val& giv
 
 bool grow_on(HeldGrowth& held) {
     return guarded([&] {
-        const auto start = std::chrono::steady_clock::now();
+        lissom::Stopwatch watch;
         const bool more = held.growth.step();
-        held.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        held.seconds += watch.lap();
         return more;
     });
 }

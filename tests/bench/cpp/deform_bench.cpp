@@ -1,23 +1,23 @@
 // Times a deformation session from mesh to drag, one line of JSON per size, beside the same two matrices through
 // Eigen::SimplicialLDLT. Built like the kernel, natively and for WebAssembly (then run by node).
 //
-//   deform_bench [--free 10000,50000,170000] [--no-eigen-above 100000] [--repeat 5]
+//   deform_bench [--vertices 10000,50000,170000] [--no-eigen-above 100000] [--repeat 5]
+
+#include "options.h"
 
 #include "lissom/deform/deform_session.h"
 #include "lissom/deform/held_region.h"
 #include "lissom/deform/implicit_system.h"
 #include "lissom/deform/reconstruction.h"
 #include "lissom/mesh/operators.h"
+#include "lissom/mesh/stopwatch.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -82,19 +82,6 @@ std::vector<DeformHandle> two_ends(const Points& points) {
     return ends;
 }
 
-class Clock {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-        return seconds;
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
 struct EigenTimes {
     double factor = 0, solve = INFINITY;
 };
@@ -103,7 +90,7 @@ EigenTimes through_eigen(const SparseMatrix& A, int repeat) {
     Eigen::MatrixXd B(A.rows(), 3), X;
     for (int i = 0; i < B.rows(); ++i) B.row(i) << std::sin(i), std::cos(2.0 * i), std::sin(3.0 * i + 1);
     EigenTimes times;
-    Clock clock;
+    lissom::Stopwatch clock;
     const Eigen::SimplicialLDLT<SparseMatrix> ldlt(A); // reads the lower triangle
     times.factor = clock.lap();
     for (int r = 0; r < repeat; ++r) {
@@ -130,7 +117,7 @@ std::string measure(int free, bool with_eigen, int repeat) {
     double step = INFINITY;
     DeformResult best;
     for (int r = 0; r < repeat; ++r) {
-        Clock clock;
+        lissom::Stopwatch clock;
         DeformResult result = session.deform(targets);
         if (const double seconds = clock.lap(); seconds < step) {
             step = seconds;
@@ -165,28 +152,11 @@ void warm_up() {
 } // namespace
 
 int main(int argc, char** argv) {
-    std::string sizes = "10000,50000,170000";
-    int eigen_limit = 100000, repeat = 5;
-    for (int a = 1; a + 1 < argc; a += 2) {
-        if (!std::strcmp(argv[a], "--free"))
-            sizes = argv[a + 1];
-        else if (!std::strcmp(argv[a], "--no-eigen-above"))
-            eigen_limit = std::atoi(argv[a + 1]);
-        else if (!std::strcmp(argv[a], "--repeat"))
-            repeat = std::atoi(argv[a + 1]);
-        else {
-            std::fprintf(stderr, "deform_bench: unknown option %s\n", argv[a]);
-            return 1;
-        }
-    }
+    const bench::Options options(argc, argv);
+    const int eigen_limit = options.number("--no-eigen-above", 100000), repeat = options.number("--repeat", 5);
     warm_up();
-    for (const char* at = sizes.c_str(); *at;) {
-        char* end = nullptr;
-        const int free = static_cast<int>(std::strtol(at, &end, 10));
-        if (end == at) break;
+    for (const int free : options.numbers("--vertices", "10000,50000,170000")) {
         std::printf("%s\n", measure(free, free <= eigen_limit, repeat).c_str());
         std::fflush(stdout);
-        at = *end == ',' ? end + 1 : end;
     }
-    return 0;
 }

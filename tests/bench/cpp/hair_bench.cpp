@@ -3,16 +3,14 @@
 //
 //   hair_bench [--grids 29,37,64] [--constraints 2000] [--changed 100] [--no-sparse-above 40]
 
+#include "options.h"
+
 #include "lissom/hair/dual_field.h"
 #include "lissom/hair/sparse_field.h"
+#include "lissom/mesh/stopwatch.h"
 
-#include <chrono>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <random>
-#include <sstream>
-#include <string>
 #include <vector>
 
 namespace {
@@ -23,9 +21,9 @@ using lissom::SparseField;
 
 template <typename Work>
 double seconds(Work&& work) {
-    const auto start = std::chrono::steady_clock::now();
+    lissom::Stopwatch watch;
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return watch.lap();
 }
 
 /// Runs of neighbouring nodes, as strokes leave them, in a cube of n nodes a side.
@@ -85,15 +83,8 @@ void measure(int n, int constraints, int changed, bool sparse_too) {
 } // namespace
 
 int main(int argc, char** argv) {
-    std::string grids = "29,37,64";
-    int constraints = 2000, changed = 100, sparse_up_to = 40;
-    for (int i = 1; i + 1 < argc; ++i) {
-        if (!std::strcmp(argv[i], "--grids")) grids = argv[i + 1];
-        if (!std::strcmp(argv[i], "--constraints")) constraints = std::atoi(argv[i + 1]);
-        if (!std::strcmp(argv[i], "--changed")) changed = std::atoi(argv[i + 1]);
-        if (!std::strcmp(argv[i], "--no-sparse-above")) sparse_up_to = std::atoi(argv[i + 1]);
-    }
-    std::istringstream list(grids);
-    for (std::string n; std::getline(list, n, ',');)
-        measure(std::atoi(n.c_str()), constraints, changed, std::atoi(n.c_str()) <= sparse_up_to);
+    const bench::Options options(argc, argv);
+    const int constraints = options.number("--constraints", 2000), changed = options.number("--changed", 100);
+    const int sparse_up_to = options.number("--no-sparse-above", 40);
+    for (const int n : options.numbers("--grids", "29,37,64")) measure(n, constraints, changed, n <= sparse_up_to);
 }

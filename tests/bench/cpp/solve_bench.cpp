@@ -3,21 +3,20 @@
 //
 //   solve_bench [--vertices 10000,50000] [--no-eigen-above 100000] [--repeat 3]
 
+#include "options.h"
+
 #include "lissom/solve/sparse_cholesky.h"
+#include "lissom/mesh/stopwatch.h"
 
 #include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <set>
-#include <string>
 #include <vector>
 
 namespace {
@@ -124,9 +123,9 @@ template <class F>
 double seconds(int repeat, const F& f) {
     double best = INFINITY;
     for (int r = 0; r < repeat; ++r) {
-        const auto start = std::chrono::steady_clock::now();
+        lissom::Stopwatch watch;
         f();
-        best = std::min(best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+        best = std::min(best, watch.lap());
     }
     return best;
 }
@@ -204,30 +203,12 @@ void warm_up() {
 } // namespace
 
 int main(int argc, char** argv) {
-    std::string sizes = "10000,50000";
-    int eigen_limit = 100000, repeat = 3;
-    for (int a = 1; a + 1 < argc; a += 2) {
-        if (!std::strcmp(argv[a], "--vertices"))
-            sizes = argv[a + 1];
-        else if (!std::strcmp(argv[a], "--no-eigen-above"))
-            eigen_limit = std::atoi(argv[a + 1]);
-        else if (!std::strcmp(argv[a], "--repeat"))
-            repeat = std::atoi(argv[a + 1]);
-        else {
-            std::fprintf(stderr, "solve_bench: unknown option %s\n", argv[a]);
-            return 1;
-        }
-    }
+    const bench::Options options(argc, argv);
+    const int eigen_limit = options.number("--no-eigen-above", 100000), repeat = options.number("--repeat", 3);
     warm_up();
-    for (const char* at = sizes.c_str(); *at;) {
-        char* end = nullptr;
-        const int vertices = static_cast<int>(std::strtol(at, &end, 10));
+    for (const int vertices : options.numbers("--vertices", "10000,50000")) {
         const Surface surface = bumpy_sphere(vertices);
         compare("squared-laplacian", squared_laplacian(surface), surface.points, vertices <= eigen_limit, repeat);
         compare("edge-coherence", edge_coherence(surface), surface.points, vertices <= eigen_limit, repeat);
-        at = *end == ',' ? end + 1 : end;
-        if (end == at && *end)
-            break;
     }
-    return 0;
 }

@@ -5,8 +5,8 @@
 #include "lissom/deform/implicit_system.h"
 #include "lissom/deform/prepared_solver.h"
 #include "lissom/deform/reconstruction.h"
+#include "lissom/mesh/stopwatch.h"
 
-#include <chrono>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -49,19 +49,5 @@ struct DeformSession::State {
 /// One drag, see DeformSession::deform.
 [[nodiscard]] DeformResult drag(const PreparedDeform& prepared, std::span<const Eigen::Affine3d> targets, bool settle,
                                 const Points* details);
-
-/// Seconds since it was made or last asked.
-class Stopwatch {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        const double seconds = std::chrono::duration<double>(now - last_).count();
-        last_ = now;
-        return seconds;
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
 
 } // namespace lissom

@@ -6,9 +6,9 @@
 #include "lissom/hair/iterative_field.h"
 #include "lissom/hair/scalp_shell.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/stopwatch.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -27,16 +27,6 @@ template <typename Matrix>
 void snap(Matrix& vectors) {
     vectors = (vectors.array() * 0x1p16).round() * 0x1p-16;
 }
-
-class Clock {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 /// Where a root lies on a map of the head that keeps angles from its top (azimuthal, equidistant).
 Eigen::Vector2f root_uv(const Vector3d& root, UpAxis up) {
@@ -90,16 +80,16 @@ struct HairSession::State {
 
 HairSession::HairSession(const TriangleMesh& head, std::span<const int> scalp, int resolution, UpAxis up)
     : state_(std::make_unique<State>()) {
-    const Clock clock;
+    Stopwatch clock;
     state_->head = std::make_shared<HeadShape>(head, scalp, resolution, up);
-    state_->prepare = clock.seconds();
+    state_->prepare = clock.lap();
 }
 
 HairSession::~HairSession() = default;
 HairSession::HairSession(HairSession&&) noexcept = default;
 
 bool HairSession::step() {
-    const Clock clock;
+    Stopwatch clock;
     State& s = *state_;
     HeadShape& head = *s.head;
     const double h = head.volume.head_height;
@@ -118,7 +108,7 @@ bool HairSession::step() {
     }
     ++s.stage;
     const bool more = s.stage < 3 || s.shell_block.size() < s.shell.size();
-    s.prepare += clock.seconds();
+    s.prepare += clock.lap();
     if (!more && !s.style) set_style({});
     return more;
 }
@@ -135,7 +125,7 @@ void HairSession::set_style(const HairStyle& given) {
     const HairStyle style = moved(given, -head.origin);
     std::vector<Finding> warnings = check_style(style, head);
 
-    const Clock updating;
+    Stopwatch updating;
     const std::vector<FieldConstraint> wanted = style_constraints(style, *head.distance, grid);
     std::vector<TailSection> ties; // C1 of each ponytail; radius 0: it has none
     for (const Ponytail& tail : style.ponytails) {
@@ -150,7 +140,7 @@ void HairSession::set_style(const HairStyle& given) {
     if (wanted.empty()) {
         warnings.push_back({"style-empty", 1, {}, false});
         s.constraint_count = 0;
-        s.update = updating.seconds();
+        s.update = updating.lap();
         s.field = 0;
     } else {
         std::vector<char> asked(static_cast<std::size_t>(grid.count()), 0);
@@ -175,11 +165,11 @@ void HairSession::set_style(const HairStyle& given) {
         FieldSolver& solver = dense ? static_cast<FieldSolver&>(*s.whole) : *s.many_whole;
         solver.set_constraints(both);
         s.constraint_count = static_cast<int>(both.size());
-        s.update = updating.seconds();
-        const Clock solving;
+        s.update = updating.lap();
+        Stopwatch solving;
         styled->field.vectors = solver.field();
         snap(styled->field.vectors);
-        s.field = solving.seconds();
+        s.field = solving.lap();
     }
     s.style = std::move(styled);
     s.warnings = std::move(warnings);

@@ -1,5 +1,7 @@
 #include "lissom/merge/hole_filling.h"
 
+#include "polygon_splits.h"
+
 #include <Eigen/Geometry>
 
 #include <limits>
@@ -30,18 +32,7 @@ std::vector<std::array<int, 3>> least_area_filling(const Points& points, const s
             }
             area[at(i, j)] = least;
         }
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<std::pair<int, int>> open{{0, n - 1}};
-    while (!open.empty()) {
-        const auto [i, j] = open.back();
-        open.pop_back();
-        if (j - i < 2) continue;
-        const int k = split[at(i, j)];
-        triangles.push_back({i, k, j});
-        open.emplace_back(i, k);
-        open.emplace_back(k, j);
-    }
-    return triangles;
+    return triangles_of_splits(n, [&](int i, int j) { return split[at(i, j)]; });
 }
 
 } // namespace lissom

@@ -2,31 +2,17 @@
 
 #include "lissom/merge/seam_flips.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/stopwatch.h"
 
-#include <chrono>
 #include <string>
 #include <utility>
 
 namespace lissom {
-namespace {
-
-class Seconds {
-public:
-    double lap() {
-        const auto now = std::chrono::steady_clock::now();
-        return std::chrono::duration<double>(now - std::exchange(last_, now)).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-} // namespace
 
 MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target, std::span<const MergeBoundary> boundaries, MergeOptions options,
                            std::span<const int> roi, std::span<const MergeHandle> handles)
     : state_(new State{.source = source, .target = target, .options = options}) {
-    Seconds watch;
+    Stopwatch watch;
     state_->cut(boundaries);
     state_->refine();
     state_->prepare(roi, handles);
@@ -35,7 +21,7 @@ MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target,
 
 MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target, const PaintedRegions& regions, MergeOptions options)
     : state_(new State{.source = source, .target = target, .options = options}) {
-    Seconds watch;
+    Stopwatch watch;
     state_->find_boundary(regions);
     state_->prepare({}, {});
     state_->prepare_seconds = watch.lap();
@@ -58,7 +44,7 @@ MergeResult MergeSession::merge(std::span<const MergeKeys> keys, bool settle) co
     if (keys.size() != s.source_part.loops.size())
         throw InvalidInput("boundary-count", "There are " + std::to_string(s.source_part.loops.size()) + " pairs of boundaries but keys for " +
                                                  std::to_string(keys.size()) + ".");
-    Seconds watch;
+    Stopwatch watch;
     MergeResult result;
     std::vector<LoopMatch> matches;
     result.source_turned = s.looks_turned;

@@ -1,5 +1,7 @@
 #include "lissom/merge/stitch.h"
 
+#include "polygon_splits.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -151,18 +153,7 @@ std::vector<std::array<int, 3>> widest_triangulation(const std::vector<Vector3d>
             }
             best[i * n + j] = most;
         }
-    std::vector<std::array<int, 3>> triangles;
-    std::vector<std::pair<int, int>> open{{0, n - 1}};
-    while (!open.empty()) {
-        const auto [i, j] = open.back();
-        open.pop_back();
-        if (j - i < 2) continue;
-        const int k = split[i * n + j];
-        triangles.push_back({i, k, j});
-        open.emplace_back(i, k);
-        open.emplace_back(k, j);
-    }
-    return triangles;
+    return triangles_of_splits(n, [&](int i, int j) { return split[i * n + j]; });
 }
 
 JoinedMesh stitch(const Part& target, const Part& source, bool source_turned, const Points& positions, std::span<const LoopMatch> matches) {
