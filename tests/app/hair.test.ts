@@ -1,5 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { growsAlike } from '../../web/app/hair/evaluation';
+import { frameHair } from '../../web/app/hair/opening';
 import { fitted } from '../../web/app/hair/refit';
 import { headHeight } from '../../web/app/hair/steps';
 import { LissomError } from '../../web/core/errors';
@@ -278,6 +279,48 @@ test('the status line says what the tool in hand does', async () => {
   expect(said.size).toBe(6);
   await commands.run('edit.cancel');
   expect(state.tool.value).toBe('hair-select');
+});
+
+test('a style opens without its curves; a tool or a selected curve brings them', async () => {
+  const tab = await styled();
+  const { state, document, commands, desk } = tab.app;
+  const { recipe } = document;
+  const curves = () => state.hair.show.value.curves;
+  expect(curves()).toBe(true);
+  const open = () => desk.open({ recipe, title: 'style' });
+  await open();
+  expect([curves(), state.tool.value]).toEqual([false, 'hair-select']);
+  expect(state.status.value).toContain('C shows the curves');
+  document.select(0);
+  expect(curves()).toBe(true);
+  for (const tool of ['stream', 'hair-select']) {
+    await open();
+    expect(curves()).toBe(false);
+    await commands.run(`tool.${tool}`);
+    expect(curves(), tool).toBe(true);
+  }
+  await commands.run('hair.show-curves');
+  expect(curves()).toBe(false);
+});
+
+test('the first sight of a style is head and hair together; later strands leave the camera alone', async () => {
+  const tab = await styled();
+  const { state, evaluator, document, desk, hair } = tab.app;
+  const seen: string[] = [];
+  const viewport = { fit: () => seen.push('fit'), setView: (preset: string) => seen.push(preset) };
+  const stop = frameHair({ viewport, state, evaluator });
+  expect(seen.splice(0)).toEqual(['fit']);
+  hair.update({ detail: { curl: 0.5 } });
+  await evaluator.settled();
+  expect(seen.splice(0)).toEqual([]);
+  await desk.open({ recipe: document.recipe, title: 'again' });
+  hair.update({ detail: { curl: 0.7 } });
+  await evaluator.settled();
+  expect(seen.splice(0)).toEqual(['home', 'fit']);
+  await hair.setHead('head-male');
+  await evaluator.settled();
+  expect(seen).toEqual(['fit']);
+  stop();
 });
 
 test('a recipe with hair opens in the hair workspace and saves and opens again as it was', async () => {

@@ -20,6 +20,7 @@ import { Gallery, recipeOn } from './gallery';
 import { HairActions } from './hair/actions';
 import { syncField } from './hair/field-sync';
 import { AppHairHost } from './hair/host';
+import { hideCurvesAtFirst } from './hair/opening';
 import { syncHair } from './hair/view-sync';
 import { hairRecipeOn, Workspaces } from './hair/workspaces';
 import { Keymap } from './keymap';
@@ -100,6 +101,7 @@ export function buildApp(world: World): BuiltApp {
   const share = new Share(document, messages, world);
   const stops = [
     syncFigures(state, evaluator, runner, failed),
+    hideCurvesAtFirst(state),
     document.onCommit(() => {
       state.hint.value = null;
     }),

@@ -65,7 +65,7 @@ export class Document implements DocumentService {
 
   /** Another document takes the place of this one, with a history of its own. */
   replace(recipe: Recipe, label: string, selection = openingSelection(recipe)): void {
-    this.#follow(new History(recipe, selection, label));
+    this.#lay(new History(recipe, selection, label));
   }
 
   /** As `replace`, with the history it had: older entries first, `index` the one to show. */
@@ -78,7 +78,7 @@ export class Document implements DocumentService {
     for (const { document, selection, label } of rest) history.commit(label, document, selection);
     history.jump(index);
     history.markSaved();
-    this.#follow(history);
+    this.#lay(history);
   }
 
   preview(recipe: Recipe, selection: Selection): void {
@@ -137,6 +137,13 @@ export class Document implements DocumentService {
     // A selection would cut off what redo could still bring back, so until then it is only shown.
     if (this.#history.canRedo) this.#history.preview(this.recipe, selection);
     else this.#history.commit(t('history.select'), this.recipe, selection, { merge: 'select' });
+  }
+
+  #lay(history: History<Recipe, Selection>): void {
+    batch(() => {
+      this.#follow(history);
+      this.state.opened.value++;
+    });
   }
 
   #follow(history: History<Recipe, Selection>): void {

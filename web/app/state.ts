@@ -123,6 +123,8 @@ export class State {
   readonly undoLabel = signal('');
   readonly redoLabel = signal('');
   readonly title = signal('');
+  /** How many documents have been laid open: with each, what is shown starts over. */
+  readonly opened = signal(0);
   readonly saved = signal<SavedState>({ kind: 'clean' });
 
   readonly recipe: ReadonlySignal<Recipe> = computed(() => this.shown.value.recipe);

@@ -26,6 +26,8 @@ export function hairCommands({ state, document, hair, gestures, viewport }: Comm
     run: () => {
       gestures.cancel();
       state.tool.value = id;
+      // Whoever reaches for this one means to click a curve.
+      if (id === 'hair-select') state.hair.show.value = { ...state.hair.show.peek(), curves: true };
     },
   });
   const next = (by: number) => () => {

@@ -24,7 +24,7 @@ export function hairStatus(state: State, key: Keys): string {
     case 'paint-scalp':
       return t('status.hair.scalp', { smaller: key('brush.smaller'), larger: key('brush.larger') });
     default:
-      if (kind === undefined) return t('status.hair.select', { stream: key('tool.stream') });
+      if (kind === undefined) return restStatus(state, key);
       return t('status.hair.selected', { hint: key('tool.hint') });
   }
 }
@@ -32,6 +32,13 @@ export function hairStatus(state: State, key: Keys): string {
 function selectedKind(state: State) {
   const step = state.hairStep.value;
   return step && primitiveAt(step, state.selection.value.handle)?.kind;
+}
+
+/** Nothing is selected; a style that has only been opened shows no curves to click. */
+function restStatus(state: State, key: Keys): string {
+  const stream = key('tool.stream');
+  if (state.hair.show.value.curves) return t('status.hair.select', { stream });
+  return t('status.hair.look', { stream, curves: key('hair.show-curves') });
 }
 
 function hintStatus(kind: ReturnType<typeof selectedKind>, key: Keys): string {

@@ -8,6 +8,7 @@ import type { ViewportPort } from '../../view/types';
 import type { Evaluator } from '../evaluation';
 import type { State } from '../state';
 import type { AppHairHost } from './host';
+import { frameHair } from './opening';
 import { scalpOf } from './steps';
 
 interface Parts {
@@ -29,6 +30,7 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
       }
       viewport.setHair(strands);
     }),
+    frameHair({ viewport, state, evaluator }),
     effect(() => {
       viewport.setHairOptions({ show: state.hair.show.value.hair, shading: state.hair.shading.value });
     }),
