@@ -31,8 +31,6 @@ const COUNT = 5000;
 const SAMPLE = 80;
 /** Of a head 24 cm high. */
 const CENTIMETRE = 1 / 24;
-/** Partings are kept to a thousandth: a root nearer to one than half of that is on neither side. */
-const BLUR = 0.0005;
 
 const models = new FolderModels('.');
 
@@ -103,7 +101,6 @@ describe.each(STYLES)('%s', (name) => {
       const measured = partingCrossings(strands, points as Vec[], triangles, {
         reach: 3 * CENTIMETRE * height,
         first: CENTIMETRE * height,
-        blur: BLUR,
       });
       expect(measured.near).toBeGreaterThan(100);
       expect(measured).toMatchObject({ crossing: 0 });

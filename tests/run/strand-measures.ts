@@ -113,7 +113,7 @@ export function skinNormal(point: Vec, triangles: readonly Triangle[]): Vec {
 }
 
 export interface Crossings {
-  /** Strands rooted beside the line, between `blur` and `reach` from it. */
+  /** Strands rooted beside the line, no farther than `reach` from it. */
   readonly near: number;
   /** Of these, those that come to lie on the other side within `first` of their root, and how far the worst does. */
   readonly crossing: number;
@@ -124,7 +124,7 @@ export function partingCrossings(
   strands: Strands,
   line: readonly Vec[],
   triangles: readonly Triangle[],
-  { reach, first, blur }: { readonly reach: number; readonly first: number; readonly blur: number },
+  { reach, first }: { readonly reach: number; readonly first: number },
 ): Crossings {
   const normals = line.map((point) => skinNormal(point, triangles));
   let [near, crossing, worst] = [0, 0, 0];
@@ -132,7 +132,7 @@ export function partingCrossings(
     const [start, end] = [strands.offsets[s]!, strands.offsets[s + 1]!];
     let last = strandPoint(strands, start);
     const root = sideOf(last, line, normals);
-    if (root === null || Math.abs(root) > reach || Math.abs(root) < blur) continue;
+    if (root === null || Math.abs(root) > reach) continue;
     near++;
     let over = 0;
     for (let at = start + 1, arc = 0; at < end; at++) {

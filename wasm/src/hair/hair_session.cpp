@@ -183,8 +183,10 @@ HairSession::Growth HairSession::grow(int from, int count, const GrowthOptions& 
     Growth out;
     out.head_ = state_->head;
     out.style_ = state_->style;
+    GrowthOptions curled = growth;
+    curled.wave = shortest_turn(detail, out.head_->volume.head_height);
     out.growth_ = std::make_unique<StrandGrowth>(out.head_->volume_of_roots, *out.head_->distance, out.style_->field,
-                                                 out.head_->roots, out.style_->partings, growth);
+                                                 out.head_->roots, out.style_->partings, std::move(curled));
     out.detail_options_ = detail;
     const bool none = out.style_->empty || count == 0;
     out.from_ = out.next_ = from;

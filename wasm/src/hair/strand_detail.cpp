@@ -19,6 +19,7 @@ enum Purpose : std::uint64_t { in_clump = 20, in_phase, in_turn, in_radius, in_f
 
 // Sizes in head heights.
 constexpr double k_curl_radius = 0.04, k_curl_length = 0.16, k_curl_rise = 0.25;
+constexpr double k_turn_least = 0.8, k_turn_spread = 0.4; // turns of a clump, as shares of their length
 constexpr double k_frizz_size = 0.014, k_frizz_length = 0.05, k_frizz_rise = 0.12;
 constexpr double k_flyaway_size = 0.06, k_flyaway_length = 0.3;
 constexpr double k_clearance = 0.003, k_apart = 0.12;
@@ -41,6 +42,11 @@ Vector3d noise(double t, std::uint64_t seed, std::uint64_t strand, std::uint64_t
 }
 
 } // namespace
+
+std::optional<double> shortest_turn(const DetailOptions& options, double head_height) {
+    if (!(options.curl > 0) || (options.curl_length && !(*options.curl_length > 0))) return {};
+    return k_turn_least * options.curl_length.value_or(k_curl_length * head_height);
+}
 
 StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings,
                            const TailTie& ties, const DetailOptions& options, std::uint64_t seed,
@@ -68,12 +74,12 @@ StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, c
     }
     large_.resize(guides_.size());
     for (std::size_t g = 0; g < guides_.size(); ++g) { // small clumps lean together into large ones
-        const int large = large_[g] = guide_of(guides_[g].root, guides_[g].side, large_guides);
+        const int large = large_[g] = guide_of(guides_[g].root, guides_[g].sides, large_guides);
         if (large >= 0 && g >= large_guides) gather(guides_[g], guides_[static_cast<std::size_t>(large)], k_large_share * options_.clump, 0.1);
     }
 }
 
-int StrandDetail::guide_of(const Root& root, PartingGuard::Side side, int among) const {
+int StrandDetail::guide_of(const Root& root, const PartingGuard::Sides& sides, int among) const {
     if (bucket_.empty()) return -1;
     const Eigen::Vector3i at = buckets_.local(root.position).cwiseMax(0.0).cast<int>().cwiseMin((buckets_.size.array() - 1).matrix());
     int best = -1;
@@ -86,7 +92,7 @@ int StrandDetail::guide_of(const Root& root, PartingGuard::Side side, int among)
                     for (const int g : bucket_[static_cast<std::size_t>(buckets_.node(x, y, z))]) {
                         if (g >= among) break;
                         const Strand& guide = guides_[static_cast<std::size_t>(g)];
-                        if (guide.side.curve != side.curve || guide.side.sign != side.sign) continue;
+                        if (PartingGuard::apart(guide.sides, sides)) continue;
                         if (guide.root.normal.dot(root.normal) < 0) continue;
                         const double distance = (guide.root.position - root.position).squaredNorm();
                         if (distance >= nearest) continue;
@@ -112,7 +118,7 @@ void StrandDetail::gather(Strand& strand, const Strand& guide, double strength, 
 void StrandDetail::curl(Strand& strand, std::uint64_t index, std::uint64_t clump,
                         const std::vector<double>& looseness) const {
     const double h = volume_.head_height;
-    const double turn = options_.curl_length.value_or(k_curl_length * h) * (0.8 + 0.4 * chance(seed_, clump, in_turn));
+    const double turn = options_.curl_length.value_or(k_curl_length * h) * (k_turn_least + k_turn_spread * chance(seed_, clump, in_turn));
     const double phase = chance(seed_, clump, in_phase) + 0.15 * chance(seed_, index, in_phase);
     const double radius = options_.curl * k_curl_radius * h *
                           (0.7 + 0.4 * chance(seed_, clump, in_radius) + 0.3 * chance(seed_, index, in_radius));
@@ -157,7 +163,7 @@ int StrandDetail::apply(Strand& strand, std::uint64_t index) const {
     const double h = volume_.head_height;
     const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
     const std::vector<double> looseness = ties_.looseness(strand.points, strand.segment);
-    const int guide = guide_of(strand.root, strand.side, static_cast<int>(guides_.size()));
+    const int guide = guide_of(strand.root, strand.sides, static_cast<int>(guides_.size()));
     if (guide >= 0 && options_.clump > 0 && !stray) {
         const double own = 0.6 + 0.4 * chance(seed_, index, in_clump);
         gather(strand, guides_[static_cast<std::size_t>(guide)], options_.clump * own, 0.05);
@@ -165,13 +171,15 @@ int StrandDetail::apply(Strand& strand, std::uint64_t index) const {
     if (options_.curl > 0) curl(strand, index, guide >= 0 ? static_cast<std::uint64_t>(guide) : index, looseness);
     roughen(strand, index, looseness);
     ties_.draw(strand.points);
+    double walked = 0; // along the strand as it now is: that is what a centimetre is promised of
     for (std::size_t k = 1; k < strand.points.size(); ++k) {
         const double along = static_cast<double>(k) * strand.segment;
         Vector3d& p = strand.points[k];
-        const bool guarded = along < StrandGrowth::parting_reach * h;
-        if (guarded) p = partings_.kept(p, strand.side);
+        const bool guarded = walked < StrandGrowth::parting_reach * h;
+        if (guarded) p = partings_.kept(p, strand.sides);
         p = StrandGrowth::lifted(head_, p, std::min(k_clearance * h, 0.5 * along));
-        if (guarded) p = partings_.kept(p, strand.side);
+        if (guarded) p = partings_.kept(p, strand.sides);
+        walked += (p - strand.points[k - 1]).norm();
     }
     const int large = guide >= 0 ? large_[static_cast<std::size_t>(guide)] : -1;
     return large >= 0 ? large : large_guides;

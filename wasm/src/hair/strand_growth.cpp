@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-enum Purpose : std::uint64_t { in_layer = 10, in_length = 11 };
+enum Purpose : std::uint64_t { in_layer = 10, in_length = 11, in_root = 12 };
 
 constexpr double k_least = 0.05;       // magnitude at which a strand ends (Fu 4.6)
 constexpr double k_sure = 0.12;        // of the head height: up to here a strand grows through a faint field
@@ -20,7 +20,10 @@ constexpr double k_rise = 0.18;        // of the head height: over which hair li
 constexpr double k_clearance = 0.003;  // of the head height: nearest to the skin beyond the root
 constexpr double k_lift = 0.35;        // steepest rise off the skin, per unit of length
 
+constexpr double k_turn = 12;          // points for one turn of a wave
 constexpr double k_ahead = 2.5, k_over = 0.7; // how many segments ahead a strand looks, and its steepest rise then
+
+constexpr std::uint64_t k_roots = 16; // places tried for a root that is not on a parting's line
 
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
@@ -44,7 +47,20 @@ StrandGrowth::StrandGrowth(const HairVolume& volume, const HeadDistance& head, c
     demand(options_.length_variation >= 0 && options_.length_variation <= 1, "The variation of length is 0 to 1.");
     demand(options_.length_map.empty() || options_.length_map.size() == static_cast<std::size_t>(volume.head.vertex_count()),
            "The painted length needs one number for each vertex of the head.");
+    demand(!options_.wave || *options_.wave > 0, "The length of a wave is a number above 0.");
     segment_ = std::max(options_.step * volume.field.step, length_ / (max_points - 1));
+    if (!options_.wave) return;
+    double longest = length_;
+    for (const float factor : options_.length_map) longest = std::max(longest, length_ * static_cast<double>(factor));
+    const double most = (max_points - 1) / std::min<double>(max_points - 1, std::ceil(longest / segment_));
+    pieces_ = static_cast<int>(std::clamp(std::ceil(k_turn * segment_ / *options_.wave), 1.0, std::floor(most)));
+}
+
+Root StrandGrowth::root_of(std::uint64_t index) const {
+    Root root = roots_.root(index, options_.seed);
+    for (std::uint64_t other = 0; other < k_roots && partings_.on_line(root.position); ++other)
+        root = roots_.root(index, hash_bits(options_.seed, other, in_root));
+    return root;
 }
 
 double StrandGrowth::length_of(const Root& root, std::uint64_t index) const {
@@ -73,8 +89,8 @@ Vector3d StrandGrowth::lifted(const HeadDistance& head, const Vector3d& p, doubl
 
 Strand StrandGrowth::grow(std::uint64_t index) const {
     const double h = volume_.head_height;
-    Strand strand{roots_.root(index, options_.seed), {}, segment_, {}};
-    strand.side = partings_.side(strand.root.position);
+    Strand strand{root_of(index), {}, segment_, {}};
+    strand.sides = partings_.sides(strand.root.position);
     const double length = std::min(length_of(strand.root, index), segment_ * (max_points - 1));
     const double height = height_ * (0.2 + 0.8 * chance(options_.seed, index, in_layer));
     const double clearance = k_clearance * h;
@@ -109,11 +125,11 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
             const double ahead = head_.at(p + k_ahead * l * v);
             if (ahead < 0.5 * share) v = (v + std::min(k_over, (0.5 * share - ahead) / (k_ahead * l)) * n).normalized();
         }
-        if (near_root) v = partings_.outward(p, v, strand.side);
+        if (near_root) v = partings_.outward(p, v, strand.sides);
 
         Vector3d next = p + l * v;
         next = lifted(head_, next, std::min(clearance, 0.5 * (walked + l)));
-        if (near_root) next = partings_.kept(next, strand.side);
+        if (near_root) next = partings_.kept(next, strand.sides);
         if (!volume_.field.contains(next) || !next.allFinite()) break;
         before = v;
         p = next;
@@ -121,6 +137,26 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
         strand.points.push_back(p);
         if (static_cast<int>(strand.points.size()) == max_points) break;
     }
+    return refined(std::move(strand), pieces_);
+}
+
+Strand refined(Strand strand, int pieces) {
+    if (pieces <= 1 || strand.points.size() < 2) return strand;
+    const std::vector<Vector3d> coarse = std::move(strand.points);
+    const std::size_t last = coarse.size() - 1;
+    strand.points.clear();
+    strand.points.reserve(last * static_cast<std::size_t>(pieces) + 1);
+    for (std::size_t k = 0; k < last; ++k) {
+        const Vector3d from = 0.5 * (coarse[k + 1] - coarse[k == 0 ? 0 : k - 1]) * (k == 0 ? 2 : 1);
+        const Vector3d to = 0.5 * (coarse[std::min(k + 2, last)] - coarse[k]) * (k + 1 == last ? 2 : 1);
+        for (int i = 0; i < pieces; ++i) {
+            const double t = static_cast<double>(i) / pieces, u = t * t, w = u * t;
+            strand.points.push_back((2 * w - 3 * u + 1) * coarse[k] + (w - 2 * u + t) * from +
+                                    (3 * u - 2 * w) * coarse[k + 1] + (w - u) * to);
+        }
+    }
+    strand.points.push_back(coarse.back());
+    strand.segment /= pieces;
     return strand;
 }
 

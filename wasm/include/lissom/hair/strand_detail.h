@@ -14,6 +14,9 @@ struct DetailOptions {
     double flyaways = 0.02;            ///< 0..1: share of strands that stand off
 };
 
+/// The shortest turn of the curls that `options` ask for, head units; none without curls.
+[[nodiscard]] std::optional<double> shortest_turn(const DetailOptions& options, double head_height);
+
 /// Adds detail to grown strands, each from its own number: the same strand whatever is grown beside it.
 ///
 /// In this order: clumps of two sizes, curls in a parallel-transported frame, frizz, flyaways, hair drawn
@@ -32,7 +35,7 @@ public:
     int apply(Strand& strand, std::uint64_t index) const;
 
 private:
-    [[nodiscard]] int guide_of(const Root& root, PartingGuard::Side side, int among) const;
+    [[nodiscard]] int guide_of(const Root& root, const PartingGuard::Sides& sides, int among) const;
     void gather(Strand& strand, const Strand& guide, double strength, double root_share) const;
     void curl(Strand& strand, std::uint64_t index, std::uint64_t clump, const std::vector<double>& looseness) const;
     void roughen(Strand& strand, std::uint64_t index, const std::vector<double>& looseness) const;

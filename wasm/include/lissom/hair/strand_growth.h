@@ -18,19 +18,21 @@ struct GrowthOptions {
     std::optional<double> length;  ///< longest strand; one head height when left out
     double length_variation = 0.2; ///< 0..1: how much shorter than its share a strand may be
     std::optional<double> volume;  ///< height of the hair over the skin; 3 % of the head's height when left out
+    std::optional<double> wave;    ///< the shortest that detail will bend strands into: they get points enough for it
     std::vector<float> length_map; ///< factor of the length per vertex of the head, painted; empty: 1 everywhere
 };
 
 /// One strand before detail: where it runs, root first.
 struct Strand {
     Root root;
-    PartingGuard::Side side;
+    PartingGuard::Sides sides;           ///< of the partings
     double segment;                      ///< length of one, head units
     std::vector<Eigen::Vector3d> points; ///< at least the root, at most 255
 };
 
 /// Grows strands along a field from the scalp (Fu 4.6), never into the head.
 ///
+/// A strand that would be rooted on the line of a parting is rooted elsewhere, by its own number.
 /// Second-order Runge–Kutta on the normalised field, so that a strand's length is a length. A strand ends where the
 /// field fades (magnitude below 0.05, once it has left its root), at the end of the volume, at its length or at
 /// 255 points. Nearer to the skin than its share of the hair's height it is led along the skin and lifted.
@@ -46,12 +48,12 @@ public:
 
     [[nodiscard]] Strand grow(std::uint64_t index) const;
     [[nodiscard]] const GrowthOptions& options() const { return options_; }
-    [[nodiscard]] double segment() const { return segment_; }
 
     /// A point no deeper than `clearance` above the skin allows, moved straight out.
     [[nodiscard]] static Eigen::Vector3d lifted(const HeadDistance& head, const Eigen::Vector3d& p, double clearance);
 
 private:
+    [[nodiscard]] Root root_of(std::uint64_t index) const;
     [[nodiscard]] double length_of(const Root& root, std::uint64_t index) const;
 
     const HairVolume& volume_;
@@ -61,6 +63,10 @@ private:
     const PartingGuard& partings_;
     GrowthOptions options_;
     double length_, height_, segment_;
+    int pieces_ = 1; // that each segment is cut into once the strand has grown
 };
+
+/// The strand with each segment in equal pieces along the curve through its points (Catmull–Rom).
+[[nodiscard]] Strand refined(Strand strand, int pieces);
 
 } // namespace lissom
