@@ -1,7 +1,8 @@
 import { expect, test } from 'vitest';
 import { readModel, readProject } from '../../web/io/index';
 import { parseRecipe } from '../../web/recipe/parse';
-import { CUBE_OBJ, file, Tab } from './world';
+import { PIXEL } from '../io/pixel';
+import { Browser, blindViewport, CUBE_OBJ, file, MemoryStorage, Tab } from './world';
 
 test('an opened mesh becomes a recipe of one step, and its report is there', async () => {
   const tab = new Tab();
@@ -28,6 +29,7 @@ test.each([
   await tab.app.files.openFiles([file(name, content)]);
   expect(tab.app.document.recipe).toBe(recipe);
   expect(tab.toasts).toHaveLength(1);
+  expect(tab.toasts[0]).not.toMatch(/[{}]/);
   expect(tab.app.state.busy.value).toBeNull();
 });
 
@@ -82,4 +84,55 @@ test('a link of a dropped-in mesh offers the project file instead', async () => 
   const tab = new Tab();
   await tab.openCube();
   expect(await tab.app.share.link()).toMatchObject({ kind: 'needs-file' });
+});
+
+/** A tab that can take pictures, of one pixel each. */
+function photographer(): { tab: Tab; asked: number[][] } {
+  const asked: number[][] = [];
+  const viewport = blindViewport({
+    size: { width: 800, height: 500 },
+    screenshot: async (width, height, { onProgress } = {}) => {
+      asked.push([width, height]);
+      onProgress?.(0.5);
+      return new Blob([PIXEL as BlobPart]);
+    },
+  });
+  return { tab: new Tab(new Browser(), new MemoryStorage(), viewport), asked };
+}
+
+test('a still picture is as wide as a large screen, has the recipe inside and opens as what it shows', async () => {
+  const { tab, asked } = photographer();
+  await tab.openCube();
+  await tab.addHandle([0], 'Tip');
+  await tab.app.commands.run('file.screenshot');
+  expect(asked).toEqual([[3840, 2400]]);
+  const [picture] = tab.saved;
+  expect(picture!.name).toBe('cube.png');
+  expect(tab.app.state.busy.value).toBeNull();
+
+  const other = new Tab();
+  await other.app.files.openFiles([file('cube.png', picture!.bytes), file('cube.obj', CUBE_OBJ)]);
+  await other.app.evaluator.settled();
+  expect(other.toasts).toEqual([]);
+  expect(other.app.document.recipe).toEqual(tab.app.document.recipe);
+});
+
+test('a picture of someone else’s, or one that arrived damaged, is told apart and changes nothing', async () => {
+  const { tab } = photographer();
+  await tab.openCube();
+  const { recipe } = tab.app.document;
+  await tab.app.commands.run('file.screenshot');
+  const whole = tab.saved[0]!.bytes;
+  const bent = whole.slice();
+  bent[whole.length - 40]! ^= 1;
+  tab.app.state.toasts.value = [];
+  for (const bytes of [PIXEL, bent, whole.slice(0, -20), new Uint8Array([255, 216, 255])])
+    await tab.app.files.openFiles([file('holiday.png', bytes)]);
+  expect(tab.app.document.recipe).toBe(recipe);
+  expect(tab.toasts.map((text) => /without a recipe|is damaged: [^.:]+/.exec(text)?.[0])).toEqual([
+    'without a recipe',
+    'is damaged: the text in it does not match its check',
+    'is damaged: it ends in the middle',
+    'is damaged: it does not begin as a PNG picture does',
+  ]);
 });

@@ -4,6 +4,7 @@ import { type BuiltApp, buildApp, type World } from '../../web/app/app';
 import type { SaveOptions } from '../../web/app/file-dialogs';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
 import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
 export const CUBE_OBJ = [
@@ -178,10 +179,11 @@ export class Tab {
   constructor(
     readonly browser = new Browser(),
     readonly session = new MemoryStorage(),
+    viewport: ViewportPort | null = null,
   ) {
     const world: World = {
       kernel: this.kernel,
-      viewport: null,
+      viewport,
       store: browser.store,
       claims: {
         claim: async (id) => {
@@ -251,6 +253,15 @@ export class Tab {
     return new Tab(this.browser, this.session);
   }
 }
+
+const STANDING: ViewportPort['camera'] = { position: [0, 0, 5], target: [0, 0, 0], orthographic: false };
+
+/** A viewport that shows nothing, finds nothing and takes every call. */
+export const blindViewport = (parts: Partial<ViewportPort>): ViewportPort =>
+  new Proxy({ camera: STANDING, ...parts } as ViewportPort, {
+    get: (held, name: keyof ViewportPort) => held[name] ?? (() => null),
+    set: () => true,
+  });
 
 export const file = (name: string, content: string | Uint8Array): File =>
   new File([content as BlobPart], name);

@@ -1,34 +1,31 @@
-// Files in and out: meshes, project archives and recipes; exports and pictures. A document is replaced only
-// once what was opened has proved usable, so a bad file costs nothing.
+// Files in and out: what is opened goes to open-files.ts; projects, exports and pictures are written here.
 
 import { LissomError } from '../core/errors';
 import { type Model, withPositions } from '../core/model';
-import { readModel, readProject, writeModel, writeProject } from '../io/index';
+import { readModel, writeModel, writeProject } from '../io/index';
 import type { StrandFormat } from '../io/strands/options';
-import { newDeformStep, uniqueName } from '../recipe/edit';
 import { formatRecipe } from '../recipe/format';
-import { parseRecipe } from '../recipe/parse';
-import type { Recipe } from '../recipe/recipe';
 import type { ViewportPort } from '../view/types';
 import type { ExportChoice, ExportFormat, FileService, MessageService } from './api';
 import type { Desk } from './desk';
 import type { Document } from './document';
-import type { Evaluator } from './evaluation';
-import type { FileDialogs } from './file-dialogs';
+import type { Evaluation, Evaluator } from './evaluation';
+import type { FileDialogs, SaveOptions } from './file-dialogs';
 import { STRAND_MIME, strandChoices, strandsFile } from './hair/export';
 import { t } from './i18n';
 import type { ModelStore } from './model-store';
+import { EXTENSIONS, FileOpener } from './open-files';
+import { pictureOf } from './picture';
 import type { State } from './state';
 
-const MESHES = ['.obj', '.ply', '.stl', '.glb', '.gltf', '.off'];
-const EXTENSIONS = [...MESHES, '.zip', '.json'];
 const MIME: Readonly<Record<ExportFormat, string>> = {
   obj: 'model/obj',
   ply: 'application/octet-stream',
   stl: 'model/stl',
   glb: 'model/gltf-binary',
 };
-const PICTURE = { width: 1920, height: 1080 };
+/** Pixels along the longer side of a picture. */
+const PICTURE = 3840;
 
 export interface FileParts {
   readonly state: State;
@@ -53,7 +50,11 @@ export class Files implements FileService {
 
   readonly strandChoices = strandChoices();
 
-  constructor(private readonly parts: FileParts) {}
+  readonly #opener: FileOpener;
+
+  constructor(private readonly parts: FileParts) {
+    this.#opener = new FileOpener(parts);
+  }
 
   async open(): Promise<void> {
     await this.openFiles(await this.parts.dialogs.open(EXTENSIONS));
@@ -68,69 +69,12 @@ export class Files implements FileService {
       const read = await Promise.all(
         files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })),
       );
-      await this.#openRead(read);
+      await this.#opener.open(read);
     } catch (error) {
       messages.failed(error);
     } finally {
       state.busy.value = null;
     }
-  }
-
-  async #openRead(files: readonly ReadFile[]): Promise<void> {
-    const project = files.find(({ name }) => hasEnding(name, ['.zip']));
-    if (project) return this.#openProject(project);
-    const recipe = files.find(({ name }) => hasEnding(name, ['.json']));
-    if (recipe)
-      return this.#openRecipe(
-        recipe,
-        files.filter((file) => file !== recipe),
-      );
-    const mesh = files.find(({ name }) => hasEnding(name, MESHES)) ?? files[0]!;
-    if (files.length > 1) this.parts.messages.toast('info', t('error.several-files', { name: mesh.name }));
-    return this.#openMesh(mesh);
-  }
-
-  async #openMesh({ name, bytes }: ReadFile): Promise<void> {
-    const { models, desk } = this.parts;
-    // Before it is kept under a name: a file that cannot be read leaves no trace.
-    readModel(bytes, name);
-    const { file } = await models.add(name, bytes);
-    const { notes } = await models.read({ file });
-    const model = modelName(name);
-    const id = uniqueName('deform 1', [model]);
-    const recipe: Recipe = {
-      lissom: 1,
-      models: { [model]: { file } },
-      steps: [newDeformStep(id, model)],
-      outputs: [],
-    };
-    await desk.open({ recipe, title: model, imported: notes, own: true });
-  }
-
-  async #openProject({ name, bytes }: ReadFile): Promise<void> {
-    const { recipeJson, files } = readProject(bytes);
-    await this.#openWith(
-      parseRecipe(recipeJson),
-      [...files].map(([file, held]) => ({ name: file, bytes: held })),
-      stem(name),
-    );
-  }
-
-  async #openRecipe({ name, bytes }: ReadFile, beside: readonly ReadFile[]): Promise<void> {
-    await this.#openWith(parseRecipe(new TextDecoder().decode(bytes)), beside, stem(name));
-  }
-
-  /** A recipe with the meshes it names; those that were renamed on the way in are renamed in it too. */
-  async #openWith(recipe: Recipe, beside: readonly ReadFile[], title: string): Promise<void> {
-    const kept = new Map<string, string>();
-    for (const { name, bytes } of beside) kept.set(name, (await this.parts.models.add(name, bytes)).file);
-    const models = Object.fromEntries(
-      Object.entries(recipe.models).map(([name, ref]) => [
-        name,
-        'file' in ref ? { file: kept.get(ref.file) ?? ref.file } : ref,
-      ]),
-    );
-    await this.parts.desk.open({ recipe: { ...recipe, models }, title, own: true });
   }
 
   save(): Promise<void> {
@@ -163,63 +107,58 @@ export class Files implements FileService {
     messages.toast('good', t('toast.saved', { name: handle?.name ?? fileName }));
   }
 
-  async exportModel(format: ExportFormat): Promise<void> {
-    const { state, evaluator, dialogs, messages } = this.parts;
-    await evaluator.settled();
-    const shown = evaluator.result.peek();
-    if (!shown) throw new LissomError('no-model', t('error.no-model'));
-    const fileName = `${this.#title}.${format}`;
-    state.busy.value = { label: t('busy.writing', { name: fileName }), fraction: null, cancel: null };
-    try {
+  exportModel(format: ExportFormat): Promise<void> {
+    const kind = { extension: `.${format}`, description: t(`export.${format}`), mimeType: MIME[format] };
+    return this.#write(kind, (shown) => {
       const model = withPositions(shown.input.model, shown.positions);
       const bytes = writeModel(model, format);
-      const handle = await dialogs.save(new Blob([bytes as BlobPart]), {
-        fileName,
-        extension: `.${format}`,
-        description: t(`export.${format}`),
-        mimeType: MIME[format],
-      });
-      messages.toast('good', exported(handle?.name ?? fileName, model, bytes));
-    } finally {
-      state.busy.value = null;
-    }
+      return { bytes, said: (name) => exported(name, model, bytes) };
+    });
   }
 
-  async exportStrands(format: StrandFormat, guidesOnly: boolean): Promise<void> {
+  exportStrands(format: StrandFormat, guidesOnly: boolean): Promise<void> {
+    const description = t(`export.strands.${format}`);
+    const kind = { extension: `.${format}`, description, mimeType: STRAND_MIME[format] };
+    return this.#write(kind, (shown) => ({ bytes: strandsFile(shown, this.#title, format, guidesOnly) }));
+  }
+
+  async screenshot(): Promise<void> {
+    const { viewport, document, state } = this.parts;
+    if (!viewport) return;
+    const stop = new AbortController();
+    const kind = { extension: '.png', description: t('file.picture'), mimeType: 'image/png' };
+    const cancel = () => stop.abort();
+    await this.#write(kind, async () => {
+      const { recipe } = document;
+      const { width, height } = pictureSize(viewport.size);
+      const onProgress = (fraction: number) => {
+        state.busy.value = { label: t('busy.picture'), fraction, cancel };
+      };
+      const png = await viewport.screenshot(width, height, { onProgress, signal: stop.signal });
+      return { bytes: pictureOf(new Uint8Array(await png.arrayBuffer()), recipe) };
+    });
+  }
+
+  /** Writes what the open step shows, once it is all there. */
+  async #write(
+    kind: Pick<SaveOptions, 'extension' | 'description' | 'mimeType'>,
+    make: (shown: Evaluation) => Written | Promise<Written>,
+  ): Promise<void> {
     const { state, evaluator, dialogs, messages } = this.parts;
     await evaluator.settled();
     const shown = evaluator.result.peek();
     if (!shown) throw new LissomError('no-model', t('error.no-model'));
-    const fileName = `${this.#title}.${format}`;
+    const fileName = this.#title + kind.extension;
     state.busy.value = { label: t('busy.writing', { name: fileName }), fraction: null, cancel: null };
     // The sentence is drawn before the page is busy with the file.
     await new Promise((drawn) => setTimeout(drawn, 30));
     try {
-      const bytes = strandsFile(shown, this.#title, format, guidesOnly);
-      const handle = await dialogs.save(new Blob([bytes as BlobPart]), {
-        fileName,
-        extension: `.${format}`,
-        description: t(`export.strands.${format}`),
-        mimeType: STRAND_MIME[format],
-      });
-      messages.toast('good', t('toast.saved', { name: handle?.name ?? fileName }));
+      const { bytes, said = (name: string) => t('toast.saved', { name }) } = await make(shown);
+      const handle = await dialogs.save(new Blob([bytes as BlobPart]), { fileName, ...kind });
+      messages.toast('good', said(handle?.name ?? fileName));
     } finally {
       state.busy.value = null;
     }
-  }
-
-  async screenshot(): Promise<void> {
-    const { viewport, dialogs, messages } = this.parts;
-    if (!viewport) return;
-    const fileName = `${this.#title}.png`;
-    const picture = await viewport.screenshot(PICTURE.width, PICTURE.height);
-    const handle = await dialogs.save(picture, {
-      fileName,
-      extension: '.png',
-      description: t('file.picture'),
-      mimeType: 'image/png',
-    });
-    messages.toast('good', t('toast.screenshot', { name: handle?.name ?? fileName }));
   }
 
   get #title(): string {
@@ -227,9 +166,16 @@ export class Files implements FileService {
   }
 }
 
-interface ReadFile {
-  readonly name: string;
+interface Written {
   readonly bytes: Uint8Array;
+  /** What is told of it; that it has been saved, if nothing else. */
+  readonly said?: (name: string) => string;
+}
+
+/** What is seen, as large as a large screen. */
+function pictureSize({ width, height }: { readonly width: number; readonly height: number }) {
+  const scale = PICTURE / Math.max(width, height);
+  return { width: Math.round(scale * width), height: Math.round(scale * height) };
 }
 
 /** What the export did to the vertex order, found by reading back what was written. */
@@ -254,16 +200,3 @@ function reorderedVertices(written: Float64Array, read: Float64Array): number {
   }
   return count;
 }
-
-const hasEnding = (name: string, endings: readonly string[]): boolean =>
-  endings.some((ending) => name.toLowerCase().endsWith(ending));
-
-const stem = (name: string): string => name.replace(/^.*[/\\]/, '').replace(/(.)\.[^.]*$/, '$1');
-
-/** A name a recipe takes (letters, digits, space . _ -), as near to the file's as may be. */
-const modelName = (file: string): string =>
-  stem(file)
-    .replace(/[^\p{L}\p{N} ._-]+/gu, ' ')
-    .trim()
-    .replace(/^[^\p{L}\p{N}]+/u, '')
-    .slice(0, 64) || 'model';

@@ -38,8 +38,11 @@ export class Messages implements MessageService {
 
 /** Whatever was thrown as one sentence for a person. */
 export function errorText(error: unknown): string {
-  if (error instanceof LissomError)
-    return tCode('error.', error.code, 'error.unknown', { detail: error.message });
+  if (error instanceof LissomError) {
+    const text = tCode('error.', error.code, 'error.unknown', { detail: error.message });
+    // A sentence that names things was filled in where they were known.
+    return /\{\w+\}/.test(text) ? error.message : text;
+  }
   return t('error.unexpected', { detail: error instanceof Error ? error.message : String(error) });
 }
 

@@ -99,6 +99,14 @@ export interface GizmoEvents {
   readonly onCancel?: () => void;
 }
 
+export interface PictureOptions {
+  /** Pictures averaged: smoother hair and edges, and that much longer. */
+  readonly samples?: number;
+  /** @param fraction  in [0, 1] */
+  readonly onProgress?: (fraction: number) => void;
+  readonly signal?: AbortSignal;
+}
+
 /** What tools and app use of the viewport. Implemented by `Viewport` in viewport.ts; tests use doubles. */
 export interface ViewportPort extends HairPort {
   /** Shows a model (rest shape); the camera frames it unless `keepCamera`. */
@@ -135,8 +143,10 @@ export interface ViewportPort extends HairPort {
   setPointerHandler(handler: PointerHandler | null): void;
   /** Frames drawn in the last second; 0 at rest (drawing is on demand). */
   readonly frameRate: number;
-  /** @param options.samples  pictures averaged: smoother hair and edges, and that much longer */
-  screenshot(width: number, height: number, options?: { readonly samples?: number }): Promise<Blob>;
+  /** CSS pixels. */
+  readonly size: { readonly width: number; readonly height: number };
+  /** A PNG of what is seen, without tools. The page stays at hand; what changes meanwhile starts it over. */
+  screenshot(width: number, height: number, options?: PictureOptions): Promise<Blob>;
   dispose(): void;
 }
 

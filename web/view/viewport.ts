@@ -18,6 +18,7 @@ import { DrawLoop } from './draw-loop';
 import { Gizmo } from './gizmo';
 import { HairLayer } from './hair/hair-layer';
 import { Rest } from './hair/rest';
+import { StillPicture } from './hair/still';
 import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './hair/types';
 import { Markers } from './markers';
 import { ModelView } from './model-view';
@@ -33,6 +34,7 @@ import type {
   GizmoEvents,
   GizmoState,
   Hit,
+  PictureOptions,
   PointerHandler,
   PointMarker,
   RegionPaint,
@@ -60,6 +62,8 @@ const BRUSH_ADDS = '#ffffff';
 const BRUSH_ERASES = '#ff7a72';
 /** Pictures that make one to keep. */
 const SCREENSHOT_SAMPLES = 32;
+/** A page that is not looked at draws no frames, but goes on after so many ms. */
+const UNSEEN = 200;
 const DEFAULT_DISPLAY: DisplayOptions = {
   shading: 'clay',
   smooth: true,
@@ -93,6 +97,8 @@ export class Viewport implements ViewportPort {
   #wireframe: Wireframe | undefined;
   #regions: readonly RegionPaint[] = [];
   #display = DEFAULT_DISPLAY;
+  /** How often something has changed in the picture. */
+  #stirs = 0;
   #idle: ReturnType<typeof setTimeout> | undefined;
 
   /** @throws LissomError  `webgl-missing`: no WebGL 2 */
@@ -332,34 +338,40 @@ export class Viewport implements ViewportPort {
     return this.#loop.rate;
   }
 
-  async screenshot(
-    width: number,
-    height: number,
-    { samples = this.options.test ? 1 : SCREENSHOT_SAMPLES } = {},
-  ): Promise<Blob> {
-    const { width: w, height: h } = this.#rig.size;
+  async screenshot(width: number, height: number, options: PictureOptions = {}): Promise<Blob> {
+    const { samples: wanted = this.options.test ? 1 : SCREENSHOT_SAMPLES, onProgress, signal } = options;
+    const samples = StillPicture.possible(this.#renderer) ? wanted : 1;
     const copy = document.createElement('canvas');
-    copy.width = width;
-    copy.height = height;
-    const { brushRadius } = this.#materials.uniforms;
-    const brush = brushRadius.value;
-    brushRadius.value = 0;
-    this.#gizmo.visible = false;
-    this.#size(width, height, 1);
-    this.#stage.prepare(this.#view?.geometry);
-    if (samples > 1) this.#rest.drawAll(this.#rig.camera, samples, (frame) => this.#render(frame));
-    else this.#render(1);
-    // Within the same task the drawing buffer still holds the picture, and nobody sees the detour.
-    copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
-    brushRadius.value = brush;
-    this.#gizmo.visible = true;
-    this.#size(w, h, this.#pixelRatio);
-    this.#rest.stirred();
-    this.#draw();
+    Object.assign(copy, { width, height });
+    const still = new StillPicture();
+    let [stirs, taken] = [this.#stirs, 0];
+    try {
+      while (taken < samples) {
+        signal?.throwIfAborted();
+        // What has been drawn so far was another picture.
+        if (stirs !== this.#stirs) {
+          still.restart();
+          [stirs, taken] = [this.#stirs, 0];
+        }
+        this.#drawAside(width, height, () => {
+          if (samples > 1) still.take(this.#renderer, this.#rig.camera, (frame) => this.#render(frame));
+          else this.#render(1);
+          if (++taken === samples) copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
+        });
+        onProgress?.(taken / samples);
+        if (taken < samples) await breath();
+      }
+    } finally {
+      still.dispose();
+    }
     const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
     if (!blob)
       throw new LissomError('screenshot-failed', 'The picture could not be made. Try a smaller size.');
     return blob;
+  }
+
+  get size(): { readonly width: number; readonly height: number } {
+    return this.#rig.size;
   }
 
   dispose(): void {
@@ -450,6 +462,27 @@ export class Viewport implements ViewportPort {
     this.#rig.resize(width, height);
   }
 
+  /**
+   * Draws on a canvas of another size what is no tool, and puts everything back: within the same task the
+   * drawing buffer holds the picture, and nobody sees the detour.
+   */
+  #drawAside(width: number, height: number, draw: () => void): void {
+    const { width: w, height: h } = this.#rig.size;
+    const { brushRadius } = this.#materials.uniforms;
+    const brush = brushRadius.value;
+    brushRadius.value = 0;
+    this.#gizmo.visible = false;
+    this.#hair.showAids(false);
+    this.#size(width, height, 1);
+    this.#stage.prepare(this.#view?.geometry);
+    draw();
+    brushRadius.value = brush;
+    this.#gizmo.visible = true;
+    this.#hair.showAids(true);
+    this.#size(w, h, this.#pixelRatio);
+    if (!this.#rest.drawAgain()) this.#draw();
+  }
+
   #restore(): void {
     this.#stage.restore();
     this.#hair.lightChanged();
@@ -457,6 +490,7 @@ export class Viewport implements ViewportPort {
   }
 
   #redraw(): void {
+    this.#stirs++;
     this.#rest.stirred();
     this.#loop.request();
   }
@@ -464,6 +498,7 @@ export class Viewport implements ViewportPort {
   #advance(elapsed: number): boolean {
     const moving = this.#rig.advance(elapsed);
     if (moving) {
+      this.#stirs++;
       this.#rest.stirred();
       this.#hair.paced(elapsed);
     }
@@ -495,6 +530,10 @@ export class Viewport implements ViewportPort {
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
 }
+
+/** Lets the page and the graphics card catch up. */
+const breath = (): Promise<unknown> =>
+  Promise.race([new Promise(requestAnimationFrame), new Promise((rested) => setTimeout(rested, UNSEEN))]);
 
 function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGLRenderer {
   let renderer: WebGLRenderer;

@@ -2,6 +2,7 @@ import { t } from '../../app/i18n';
 import { hairColor } from '../../core/melanin';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
+import { CommandButton } from '../controls/command-button';
 import { Segments, SliderField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { usePercent } from './percent';
@@ -131,6 +132,9 @@ export function LookPanel() {
             state.hair.shading.value = shading;
           }}
         />
+      </div>
+      <div class="buttons">
+        <CommandButton command="file.screenshot" kind="solid" />
       </div>
     </Section>
   );

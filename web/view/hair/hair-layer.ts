@@ -82,6 +82,12 @@ export class HairLayer {
     this.#hair.setOptions(options);
   }
 
+  /** Curves, field, volume and supporting surface: not part of a picture to keep. */
+  showAids(shown: boolean): void {
+    this.#curves.group.visible = shown;
+    this.#guides.group.visible = shown;
+  }
+
   setShare(share: number | null): void {
     this.#fixedShare = share;
   }

@@ -1,5 +1,5 @@
 import type { OrthographicCamera, PerspectiveCamera, WebGLRenderer } from 'three';
-import { jitter, StillPicture } from './still';
+import { StillPicture } from './still';
 
 /** Nothing has moved for so many ms: the picture may be perfected. */
 const CALM = 150;
@@ -43,35 +43,19 @@ export class Rest {
   }
 
   draw(camera: PerspectiveCamera | OrthographicCamera, render: (frame: number) => void): void {
-    this.#add(camera, render);
+    this.#still.take(this.renderer, camera, render);
     const spent = performance.now() - this.#since;
     this.#due = this.#still.count < (spent < PATIENCE ? PICTURES : FEWEST);
     if (this.#due) this.request();
   }
 
-  /** One picture of `samples` at once, left on the canvas. */
-  drawAll(
-    camera: PerspectiveCamera | OrthographicCamera,
-    samples: number,
-    render: (frame: number) => void,
-  ): void {
-    this.stirred();
-    for (let i = 0; i < samples; i++) this.#add(camera, render);
-    this.#still.restart();
+  /** Puts what has converged so far on a canvas that was used for something else. @returns whether there was any */
+  drawAgain(): boolean {
+    return this.#still.show(this.renderer);
   }
 
   dispose(): void {
     clearTimeout(this.#timer);
     this.#still.dispose();
-  }
-
-  #add(camera: PerspectiveCamera | OrthographicCamera, render: (frame: number) => void): void {
-    const { width, height } = this.renderer.domElement;
-    const frame = this.#still.count;
-    const [x, y] = jitter(frame);
-    camera.setViewOffset(width, height, x, y, width, height);
-    render(frame + 1);
-    camera.clearViewOffset();
-    this.#still.add(this.renderer);
   }
 }

@@ -8,6 +8,7 @@ import {
   NoBlending,
   OneMinusConstantAlphaFactor,
   OrthographicCamera,
+  type PerspectiveCamera,
   PlaneGeometry,
   ShaderMaterial,
   type Texture,
@@ -57,8 +58,38 @@ export class StillPicture {
     return renderer.extensions.has('EXT_color_buffer_float');
   }
 
+  /**
+   * Draws one more picture and leaves the mean on the canvas.
+   *
+   * @param render  draws picture `frame`, from 1
+   */
+  take(
+    renderer: WebGLRenderer,
+    camera: PerspectiveCamera | OrthographicCamera,
+    render: (frame: number) => void,
+  ): void {
+    const { width, height } = renderer.domElement;
+    const [x, y] = jitter(this.#count);
+    camera.setViewOffset(width, height, x, y, width, height);
+    render(this.#count + 1);
+    camera.clearViewOffset();
+    this.#add(renderer);
+  }
+
+  /** Puts the mean on the canvas. @returns false where there is none, or none of that size */
+  show(renderer: WebGLRenderer): boolean {
+    const { x: width, y: height } = renderer.getDrawingBufferSize(new Vector2());
+    if (this.#count === 0 || this.#width !== width || this.#height !== height) return false;
+    renderer.setRenderTarget(null);
+    const clears = renderer.autoClear;
+    renderer.autoClear = false;
+    this.#draw(renderer, this.#present, this.#mean.texture);
+    renderer.autoClear = clears;
+    return true;
+  }
+
   /** Takes the picture the canvas now holds into the mean and leaves the mean on the canvas. */
-  add(renderer: WebGLRenderer): void {
+  #add(renderer: WebGLRenderer): void {
     const { x: width, y: height } = renderer.getDrawingBufferSize(new Vector2());
     if (!this.#shot || this.#width !== width || this.#height !== height) {
       this.#shot?.dispose();
@@ -75,9 +106,8 @@ export class StillPicture {
     this.#blend.blendAlpha = 1 / this.#count;
     renderer.setRenderTarget(this.#mean);
     this.#draw(renderer, this.#blend, this.#shot);
-    renderer.setRenderTarget(null);
-    this.#draw(renderer, this.#present, this.#mean.texture);
     renderer.autoClear = clears;
+    this.show(renderer);
   }
 
   dispose(): void {

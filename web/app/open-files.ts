@@ -1,0 +1,109 @@
+// Opening what a file holds: a mesh, a project archive, a recipe, a picture with its recipe inside. A document is
+// replaced only once what was opened has proved usable, so a bad file costs nothing.
+
+import { readModel, readProject } from '../io/index';
+import { isPng } from '../io/png-text';
+import { newDeformStep, uniqueName } from '../recipe/edit';
+import { parseRecipe } from '../recipe/parse';
+import type { Recipe } from '../recipe/recipe';
+import type { MessageService } from './api';
+import type { Desk } from './desk';
+import { t } from './i18n';
+import type { ModelStore } from './model-store';
+import { recipeOf } from './picture';
+
+const MESHES = ['.obj', '.ply', '.stl', '.glb', '.gltf', '.off'];
+export const EXTENSIONS = [...MESHES, '.zip', '.json', '.png'];
+
+export interface ReadFile {
+  readonly name: string;
+  readonly bytes: Uint8Array;
+}
+
+interface Parts {
+  readonly models: Pick<ModelStore, 'add' | 'read'>;
+  readonly desk: Pick<Desk, 'open'>;
+  readonly messages: MessageService;
+}
+
+export class FileOpener {
+  constructor(private readonly parts: Parts) {}
+
+  /** Several files: a model or a recipe with what it refers to. */
+  async open(files: readonly ReadFile[]): Promise<void> {
+    const project = files.find(({ name }) => hasEnding(name, ['.zip']));
+    if (project) return this.#openProject(project);
+    const recipe = files.find(({ name }) => hasEnding(name, ['.json']));
+    if (recipe)
+      return this.#openRecipe(
+        recipe,
+        files.filter((file) => file !== recipe),
+      );
+    const picture = files.find(({ name, bytes }) => hasEnding(name, ['.png']) || isPng(bytes));
+    if (picture)
+      return this.#openWith(
+        recipeOf(picture.bytes, picture.name),
+        files.filter((file) => file !== picture),
+        stem(picture.name),
+      );
+    const mesh = files.find(({ name }) => hasEnding(name, MESHES)) ?? files[0]!;
+    if (files.length > 1) this.parts.messages.toast('info', t('error.several-files', { name: mesh.name }));
+    return this.#openMesh(mesh);
+  }
+
+  async #openMesh({ name, bytes }: ReadFile): Promise<void> {
+    const { models, desk } = this.parts;
+    // Before it is kept under a name: a file that cannot be read leaves no trace.
+    readModel(bytes, name);
+    const { file } = await models.add(name, bytes);
+    const { notes } = await models.read({ file });
+    const model = modelName(name);
+    const id = uniqueName('deform 1', [model]);
+    const recipe: Recipe = {
+      lissom: 1,
+      models: { [model]: { file } },
+      steps: [newDeformStep(id, model)],
+      outputs: [],
+    };
+    await desk.open({ recipe, title: model, imported: notes, own: true });
+  }
+
+  async #openProject({ name, bytes }: ReadFile): Promise<void> {
+    const { recipeJson, files } = readProject(bytes);
+    await this.#openWith(
+      parseRecipe(recipeJson),
+      [...files].map(([file, held]) => ({ name: file, bytes: held })),
+      stem(name),
+    );
+  }
+
+  async #openRecipe({ name, bytes }: ReadFile, beside: readonly ReadFile[]): Promise<void> {
+    await this.#openWith(parseRecipe(new TextDecoder().decode(bytes)), beside, stem(name));
+  }
+
+  /** A recipe with the meshes it names; those that were renamed on the way in are renamed in it too. */
+  async #openWith(recipe: Recipe, beside: readonly ReadFile[], title: string): Promise<void> {
+    const kept = new Map<string, string>();
+    for (const { name, bytes } of beside) kept.set(name, (await this.parts.models.add(name, bytes)).file);
+    const models = Object.fromEntries(
+      Object.entries(recipe.models).map(([name, ref]) => [
+        name,
+        'file' in ref ? { file: kept.get(ref.file) ?? ref.file } : ref,
+      ]),
+    );
+    await this.parts.desk.open({ recipe: { ...recipe, models }, title, own: true });
+  }
+}
+
+const hasEnding = (name: string, endings: readonly string[]): boolean =>
+  endings.some((ending) => name.toLowerCase().endsWith(ending));
+
+const stem = (name: string): string => name.replace(/^.*[/\\]/, '').replace(/(.)\.[^.]*$/, '$1');
+
+/** A name a recipe takes (letters, digits, space . _ -), as near to the file's as may be. */
+const modelName = (file: string): string =>
+  stem(file)
+    .replace(/[^\p{L}\p{N} ._-]+/gu, ' ')
+    .trim()
+    .replace(/^[^\p{L}\p{N}]+/u, '')
+    .slice(0, 64) || 'model';
