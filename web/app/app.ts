@@ -22,6 +22,7 @@ import { syncField } from './hair/field-sync';
 import { AppHairHost } from './hair/host';
 import { hideCurvesAtFirst } from './hair/opening';
 import { syncHair } from './hair/view-sync';
+import { besidesViewed, endViewingOnChange, syncViewed } from './hair/viewed';
 import { hairRecipeOn, Workspaces } from './hair/workspaces';
 import { Keymap } from './keymap';
 import { Messages } from './messages';
@@ -102,6 +103,7 @@ export function buildApp(world: World): BuiltApp {
   const stops = [
     syncFigures(state, evaluator, runner, failed),
     hideCurvesAtFirst(state),
+    endViewingOnChange(state),
     document.onCommit(() => {
       state.hint.value = null;
     }),
@@ -113,8 +115,9 @@ export function buildApp(world: World): BuiltApp {
     const host = new AppDeformHost(viewport, state, document, evaluator);
     const hairHost = new AppHairHost({ viewport, state, document, evaluator, messages });
     const tools = new ToolSwitch({ view: viewport, deform: host, hair: hairHost, state, settings });
-    const view = syncView({ viewport, state, evaluator, host });
-    const stopHair = syncHair({ viewport, state, evaluator, host: hairHost });
+    const own = { result: besidesViewed(state, evaluator) };
+    const view = syncView({ viewport, state, evaluator: own, host });
+    const stopHair = syncHair({ viewport, state, evaluator: own, host: hairHost });
     goBack = () => tools.back();
     viewport.setPointerHandler(tools);
     cancelGesture = () => {
@@ -124,8 +127,9 @@ export function buildApp(world: World): BuiltApp {
       if (state.previewing.peek()) document.cancel();
       return active;
     };
-    const stopField = syncField({ viewport, state, evaluator, runner, failed });
-    stops.push(view.stop, stopHair, stopField, () => viewport.setPointerHandler(null));
+    const stopField = syncField({ viewport, state, evaluator: own, runner, failed });
+    const stopViewed = syncViewed(viewport, state);
+    stops.push(view.stop, stopHair, stopField, stopViewed, () => viewport.setPointerHandler(null));
   }
 
   const gestures = { cancel: () => cancelGesture(), back: () => goBack() };

@@ -129,7 +129,7 @@ export class Files implements FileService {
     const kind = { extension: '.png', description: t('file.picture'), mimeType: 'image/png' };
     const cancel = () => stop.abort();
     await this.#write(kind, async () => {
-      const { recipe } = document;
+      const recipe = state.hair.viewed.peek() ? null : document.recipe;
       const { width, height } = pictureSize(viewport.size);
       const onProgress = (fraction: number) => {
         state.busy.value = { label: t('busy.picture'), fraction, cancel };

@@ -1,19 +1,25 @@
-// Opening what a file holds: a mesh, a project archive, a recipe, a picture with its recipe inside. A document is
-// replaced only once what was opened has proved usable, so a bad file costs nothing.
+// Opening what a file holds: a mesh, a project archive, a recipe, a picture with its recipe inside, strands to look
+// at. A document is replaced only once what was opened has proved usable, so a bad file costs nothing.
 
-import { readModel, readProject } from '../io/index';
+import type { Groom } from '../core/strands';
+import { readModel, readProject, readStrands } from '../io/index';
 import { isPng } from '../io/png-text';
+import { isHair } from '../io/strands/hair';
+import { hasObjLines } from '../io/strands/obj-lines';
 import { newDeformStep, uniqueName } from '../recipe/edit';
 import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
 import type { MessageService } from './api';
 import type { Desk } from './desk';
+import type { Evaluator } from './evaluation';
+import { viewed } from './hair/viewed';
 import { t } from './i18n';
 import type { ModelStore } from './model-store';
 import { recipeOf } from './picture';
+import type { State } from './state';
 
 const MESHES = ['.obj', '.ply', '.stl', '.glb', '.gltf', '.off'];
-export const EXTENSIONS = [...MESHES, '.zip', '.json', '.png'];
+export const EXTENSIONS = [...MESHES, '.hair', '.zip', '.json', '.png'];
 
 export interface ReadFile {
   readonly name: string;
@@ -21,6 +27,8 @@ export interface ReadFile {
 }
 
 interface Parts {
+  readonly state: State;
+  readonly evaluator: Pick<Evaluator, 'result'>;
   readonly models: Pick<ModelStore, 'add' | 'read'>;
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
@@ -46,9 +54,41 @@ export class FileOpener {
         files.filter((file) => file !== picture),
         stem(picture.name),
       );
-    const mesh = files.find(({ name }) => hasEnding(name, MESHES)) ?? files[0]!;
+    const mesh = files.find(({ name }) => hasEnding(name, [...MESHES, '.hair'])) ?? files[0]!;
     if (files.length > 1) this.parts.messages.toast('info', t('error.several-files', { name: mesh.name }));
-    return this.#openMesh(mesh);
+    if (isHair(mesh.bytes) || hasEnding(mesh.name, ['.hair'])) this.#view(readStrands(mesh.bytes, mesh.name));
+    else if (hasEnding(mesh.name, ['.obj']) && hasObjLines(mesh.bytes)) await this.#openLines(mesh);
+    else await this.#openMesh(mesh);
+  }
+
+  /** An OBJ with lines: hair alone, hair with its head, or a model with a few loose edges. */
+  async #openLines(file: ReadFile): Promise<void> {
+    const { messages, state } = this.parts;
+    const { name } = file;
+    const groom = readStrands(file.bytes, name);
+    const again = (act: () => void | Promise<void>) => async () => {
+      try {
+        await act();
+      } catch (error) {
+        messages.failed(error);
+      }
+    };
+    if (!groom.head) return this.#view(groom);
+    if (state.workspace.peek() === 'hair') {
+      this.#view(groom);
+      const run = again(() => this.#openMesh(file));
+      messages.toast('info', t('toast.lines-seen', { name }), { label: t('toast.open-model'), run });
+      return;
+    }
+    await this.#openMesh(file);
+    const run = again(() => this.#view(groom));
+    messages.toast('info', t('toast.lines', { name }), { label: t('toast.see-lines'), run });
+  }
+
+  #view(groom: Groom): void {
+    const { state, evaluator } = this.parts;
+    state.dialog.value = null;
+    state.hair.viewed.value = viewed(groom, evaluator.result.peek());
   }
 
   async #openMesh({ name, bytes }: ReadFile): Promise<void> {

@@ -9,8 +9,9 @@ import { t } from './i18n';
 
 const KEYWORD = 'lissom:recipe';
 
-export const pictureOf = (png: Uint8Array, recipe: Recipe): Uint8Array =>
-  withPngText(png, KEYWORD, formatRecipe(recipe));
+/** @param recipe  `null` for a picture of something else */
+export const pictureOf = (png: Uint8Array, recipe: Recipe | null): Uint8Array =>
+  recipe ? withPngText(png, KEYWORD, formatRecipe(recipe)) : png;
 
 /** @throws LissomError `picture-damaged`, `picture-without-recipe`, and what is wrong with the recipe */
 export function recipeOf(png: Uint8Array, name: string): Recipe {

@@ -9,6 +9,7 @@ import type { State } from './state';
 export function statusText(state: State, keymap: KeymapService): string {
   const key = (command: string): string => keymap.hint(command);
   if (!state.model.value) return t('status.no-model', { open: key('file.open') });
+  if (state.hair.viewed.value) return t('status.viewed', { back: key('edit.cancel') });
   if (state.workspace.value === 'hair') return hairStatus(state, key);
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   switch (state.tool.value) {

@@ -19,7 +19,7 @@ interface Parts {
   readonly view: Pick<ViewportPort, 'setBrush'>;
   readonly deform: DeformHost;
   readonly hair: HairHost & ScalpHost;
-  readonly state: Pick<State, 'tool'>;
+  readonly state: Pick<State, 'tool' | 'hair'>;
   readonly settings: SettingsService;
 }
 
@@ -57,8 +57,10 @@ export class ToolSwitch implements PointerHandler {
   }
 
   down(sample: PointerSample): boolean {
-    if (sample.pointerType === 'touch' && this.parts.settings.values.peek().penOnly) return false;
-    const tool = this.#tools[this.parts.state.tool.peek()];
+    const { state, settings } = this.parts;
+    if (state.hair.viewed.peek()) return false;
+    if (sample.pointerType === 'touch' && settings.values.peek().penOnly) return false;
+    const tool = this.#tools[state.tool.peek()];
     if (!tool.down(sample)) return false;
     this.#held = tool;
     return true;
@@ -75,6 +77,7 @@ export class ToolSwitch implements PointerHandler {
   }
 
   hover(sample: PointerSample): void {
+    if (this.parts.state.hair.viewed.peek()) return;
     this.#tools[this.parts.state.tool.peek()].hover(sample);
   }
 

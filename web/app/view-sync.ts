@@ -8,6 +8,7 @@ import { markerId } from '../tools/deform/host';
 import type { RegionPaint, ViewportPort } from '../view/types';
 import type { AppDeformHost } from './deform-host';
 import type { Evaluation, Evaluator } from './evaluation';
+import { viewModel } from './hair/viewed';
 import type { State } from './state';
 
 interface Parts {
@@ -135,21 +136,8 @@ function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | nul
     before.input.model.colors === model.colors &&
     before.input.model.upAxis === model.upAxis;
   if (!isShown) {
-    const { positions, faceOffsets, faceVertices, colors, upAxis } = model;
-    const { triangles, welded } = opened;
-    const keepCamera = before?.input.model.faceVertices === faceVertices;
-    viewport.setModel(
-      {
-        positions,
-        triangles,
-        faceOffsets,
-        faceVertices,
-        welded,
-        ...(colors && { colors }),
-        ...(upAxis && { upAxis }),
-      },
-      { keepCamera },
-    );
+    const keepCamera = before?.input.model.faceVertices === model.faceVertices;
+    viewport.setModel(viewModel(model, opened), { keepCamera });
   }
   viewport.setPositions(next.positions);
   if (next.settled) viewport.settlePositions();

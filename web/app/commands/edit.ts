@@ -32,6 +32,10 @@ export const editCommands = ({ state, document, gestures }: CommandContext): Com
     keys: ['Escape'],
     hidden: true,
     run: () => {
+      if (state.hair.viewed.peek()) {
+        state.hair.viewed.value = null;
+        return;
+      }
       if (gestures.cancel() || gestures.back()) return;
       const [home] = TOOLS[state.workspace.value];
       if (state.tool.value !== home) state.tool.value = home;

@@ -156,6 +156,16 @@ export function hairCommands({ state, document, hair, gestures, viewport }: Comm
       enabled: () => state.hairStep.value !== undefined,
       run: () => hair.newSeed(),
     },
+    {
+      id: 'hair.end-viewing',
+      group,
+      title: 'command.hair.end-viewing',
+      icon: 'x',
+      enabled: () => state.hair.viewed.value !== null,
+      run: () => {
+        state.hair.viewed.value = null;
+      },
+    },
     show('hair', 'eye'),
     show('curves', 'spline', ['C']),
     show('support', 'layers'),

@@ -43,7 +43,10 @@ export function frameHair({ viewport, state, evaluator }: Parts): () => void {
   let waits = false;
   return effect(() => {
     const evaluation = evaluator.result.value;
-    if (!evaluation) return;
+    if (!evaluation) {
+      surface = null;
+      return;
+    }
     const { faceVertices } = evaluation.input.model;
     const isHair = evaluation.step.type === 'hair';
     if (surface !== faceVertices || opened !== state.opened.peek()) {

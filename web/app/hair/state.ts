@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 import type { Line } from '../../tools/hair/polyline';
 import type { SupportKind, Viewpoint } from '../../tools/hair/support';
 import type { HairOptions, StyleCurve } from '../../view/hair/types';
+import type { ViewedStrands } from './viewed';
 
 /** A stroke under way that is no edit yet. */
 export interface ShownStroke {
@@ -48,4 +49,6 @@ export class HairState {
   /** Whether the pointer is over something the tool can start on. */
   readonly aimed = signal(true);
   readonly figures = signal<HairFigures | null>(null);
+  /** Strands of a file, on screen in place of the document. */
+  readonly viewed = signal<ViewedStrands | null>(null);
 }

@@ -37,7 +37,8 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
     effect(() => {
       const step = state.hairStep.value;
       const stroke = state.hair.stroke.value;
-      const shown = step && state.hair.show.value.curves ? curvesOf(step, state.selection.value.handle) : [];
+      const wanted = state.hair.show.value.curves && !state.hair.viewed.value;
+      const shown = step && wanted ? curvesOf(step, state.selection.value.handle) : [];
       const drawn: StyleCurve[] =
         stroke && stroke.line.length > 1
           ? [{ id: 'stroke', points: stroke.line, kind: stroke.kind, selected: false }]
@@ -46,7 +47,7 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
     }),
     effect(() => {
       const surface = host.surface.value;
-      const shown = state.hair.show.value.support && isEditing(state);
+      const shown = state.hair.show.value.support && isEditing(state) && !state.hair.viewed.value;
       viewport.setSupport(surface && shown ? surface : null);
     }),
     effect(() => {

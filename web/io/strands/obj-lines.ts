@@ -44,6 +44,16 @@ export function writeObjLines(groom: Groom, options: StrandWriteOptions): Uint8A
 const LOWER_L = 108;
 const LOWER_V = 118;
 
+/** Whether an OBJ has an `l` statement at all. */
+export function hasObjLines(bytes: Uint8Array): boolean {
+  for (let at = bytes.indexOf(LOWER_L); at >= 0; at = bytes.indexOf(LOWER_L, at + 1)) {
+    const before = at === 0 ? 10 : bytes[at - 1];
+    const after = bytes[at + 1];
+    if ((before === 10 || before === 13) && (after === 32 || after === 9)) return true;
+  }
+  return false;
+}
+
 /**
  * The lines of an OBJ as strands, its faces as the head. Lines that begin where the one before ended are one strand,
  * as programs that write each segment by itself mean it.

@@ -2,6 +2,7 @@ import { useLayoutEffect, useRef } from 'preact/hooks';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { HeatLegend } from '../deform/heat-legend';
+import { ViewedBar } from '../hair/viewed-bar';
 import { ViewBar } from './view-bar';
 
 /** Holds the viewport's canvas, which lives longer than any component, and what floats over it. */
@@ -16,6 +17,7 @@ export function Stage({ canvas }: { canvas: HTMLElement }) {
     <main ref={frame} class="stage" aria-label={t('ui.viewport')}>
       {viewport === null && <p class="stage-empty">{t('ui.no-webgl')}</p>}
       <ViewBar />
+      <ViewedBar />
       {hint && <p class="hint">{t(hint)}</p>}
       {state.heat.value && <HeatLegend />}
       {state.dropping.value && (
