@@ -18,7 +18,7 @@ export function Stage({ canvas }: { canvas: HTMLElement }) {
       {viewport === null && <p class="stage-empty">{t('ui.no-webgl')}</p>}
       <ViewBar />
       <ViewedBar />
-      {hint && <p class="hint">{t(hint)}</p>}
+      {hint && !state.hair.viewed.value && <p class="hint">{t(hint)}</p>}
       {state.heat.value && <HeatLegend />}
       {state.dropping.value && (
         <div class="drop">

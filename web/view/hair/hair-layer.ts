@@ -15,6 +15,9 @@ import { HairView, type Head } from './hair-view';
 import { firstShare, nextShare } from './lod';
 import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './types';
 
+/** So many strands say how much room hair takes in the picture. */
+const FRAMING_STRANDS = 200;
+
 /** Everything of hair in the picture: the strands, and the lines and surfaces one styles them with. */
 export class HairLayer {
   readonly group = new Group();
@@ -49,15 +52,19 @@ export class HairLayer {
     return this.#hair.shown ? this.#hair.shadowUniforms : undefined;
   }
 
-  /** The eight corners around the hair, 3 numbers each, drawn units; none without hair. */
+  /** Where hair is, 3 numbers per place, drawn units: so few strands that a stray one hardly counts. */
   places(): number[] {
-    const { min, max } = this.#hair.box;
-    if (!this.shown || this.#hair.box.isEmpty()) return [];
-    return [0, 1, 2, 3, 4, 5, 6, 7].flatMap((bits) => [
-      (bits & 1 ? max : min).x,
-      (bits & 2 ? max : min).y,
-      (bits & 4 ? max : min).z,
-    ]);
+    const strands = this.#strands;
+    if (!this.shown || !strands) return [];
+    const { offsets, points, origin } = strands;
+    const every = Math.max(1, Math.floor(strandCount(strands) / FRAMING_STRANDS));
+    const places: number[] = [];
+    for (let s = 0; s < strandCount(strands); s += every)
+      for (let p = offsets[s]!; p < offsets[s + 1]!; p++) {
+        const [x, y, z] = [points[3 * p]!, points[3 * p + 1]!, points[3 * p + 2]!];
+        places.push(...this.#space.toView([x + origin[0], y + origin[1], z + origin[2]]));
+      }
+    return places;
   }
 
   setModel(model: ModelView | undefined): void {
