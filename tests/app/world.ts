@@ -184,6 +184,7 @@ export class Tab {
     const world: World = {
       kernel: this.kernel,
       viewport,
+      panes: () => null,
       store: browser.store,
       claims: {
         claim: async (id) => {

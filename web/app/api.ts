@@ -12,10 +12,15 @@
 import type { ReadonlySignal } from '@preact/signals';
 import type { VertexSet } from '../core/vertex-set';
 import type { StrandFormat } from '../io/strands/options';
-import type { DeformHandle, DeformStep, HairStep } from '../recipe/recipe';
+import type { RegionMaps } from '../kernel/contract';
+import type { DeformHandle, DeformStep, HairStep, MergeStep, ModelRef } from '../recipe/recipe';
 import type { PrimitivePatch } from '../tools/hair/style';
+import type { Mark } from '../tools/merge/host';
+import type { MergeSide, Pin } from '../tools/merge/pins';
 import type { ViewportPort } from '../view/types';
 import type { Commands } from './commands';
+import type { Panes } from './merge/panes';
+import type { OptimalBoundary } from './merge/steps';
 import type { State, Toast, WorkspaceId } from './state';
 
 export interface App {
@@ -25,6 +30,7 @@ export interface App {
   readonly document: DocumentService;
   readonly deform: DeformService;
   readonly hair: HairService;
+  readonly merge: MergeService;
   readonly workspaces: WorkspaceService;
   readonly files: FileService;
   readonly autosave: AutosaveService;
@@ -34,6 +40,8 @@ export interface App {
   readonly messages: MessageService;
   /** `null` where WebGL 2 is missing: panels, files and links still work. */
   readonly viewport: ViewportPort | null;
+  /** Those of the two models being merged; `null` until they are first needed. */
+  readonly panes: ReadonlySignal<Panes | null>;
   /** Loads the newer version that `state.updateReady` announced. */
   reload(): void;
 }
@@ -114,6 +122,40 @@ export interface HairService {
   /** Head height of the open step, model units; 1 while none is open. Default lengths are parts of it. */
   headHeight(): number;
   rebuildSupport(): void;
+}
+
+/** Edits of the open merge step. Each call is one step of undo, except previews and the choice of a part. */
+export interface MergeService {
+  /** Asks for the part to add to a model or a step's result. */
+  start(target: string): Promise<void>;
+  /** Asks for another part. */
+  changePart(): Promise<void>;
+  cancelChoosing(): Promise<void>;
+  /** The part that was asked for; the merge step begins, or goes on with this part. */
+  choosePart(name: string, ref: ModelRef): void;
+  /** How many vertices are marked. */
+  markSize(mark: Mark): number;
+  clearMark(mark: Mark): void;
+  /** Finds where the models meet, as far as that is not said yet, and merges them. */
+  merge(): Promise<void>;
+  /** Joins the models along the edges of the marks instead of a line that is sought. */
+  cutAlongMarks(): Promise<void>;
+  removePair(index: number): void;
+  /** As shown: the step's own, or those the last merge found. */
+  pins(): readonly Pin[];
+  removePin(number: number): void;
+  setMode(mode: MergeStep['mode']): void;
+  /** `live` previews (slider held), then `finish`. */
+  setSmoothing(rounds: number, live?: boolean): void;
+  /** Widths of the overlapped strips as parts of the loops' lengths; `null`: none. */
+  setTransition(shares: Readonly<Record<MergeSide, number>> | null, live?: boolean): void;
+  transitionShares(): Readonly<Record<MergeSide, number>>;
+  /** The two plane maps, the part's not placed yet; `null` where the marks allow none. */
+  maps(): Promise<RegionMaps | null>;
+  /** How the part's map lies on the target's; `undefined`: found again. */
+  setPlacement(placement: OptimalBoundary['placement']): void;
+  finish(): void;
+  cancel(): void;
 }
 
 export interface WorkspaceService {

@@ -1,6 +1,6 @@
 // Builds the app from its parts. The one place where services learn of each other.
 
-import { effect } from '@preact/signals';
+import { effect, signal } from '@preact/signals';
 import type { KernelPort } from '../kernel/contract';
 import { Runner } from '../run/evaluate';
 import type { ViewportPort } from '../view/types';
@@ -23,8 +23,9 @@ import { AppHairHost } from './hair/host';
 import { hideCurvesAtFirst } from './hair/opening';
 import { syncHair } from './hair/view-sync';
 import { besidesViewed, endViewingOnChange, syncViewed } from './hair/viewed';
-import { hairRecipeOn, Workspaces } from './hair/workspaces';
 import { Keymap } from './keymap';
+import { MergeActions } from './merge/actions';
+import { type Panes, syncPanes } from './merge/panes';
 import { Messages } from './messages';
 import { ModelStore } from './model-store';
 import { StoredSettings } from './settings';
@@ -35,11 +36,14 @@ import type { DocumentStore } from './store';
 import type { Claims } from './tab-claim';
 import { ToolSwitch } from './tools';
 import { syncView } from './view-sync';
+import { hairRecipeOn, Workspaces } from './workspaces';
 
 /** What the app needs of the world; `browser.ts` has the real one, tests make their own. */
 export interface World {
   readonly kernel: KernelPort;
   readonly viewport: ViewportPort | null;
+  /** Makes the viewports of the two models to be merged; called when they are first needed. */
+  readonly panes: () => Panes | null;
   readonly store: DocumentStore;
   readonly claims: Claims;
   readonly dialogs: FileDialogs;
@@ -88,7 +92,8 @@ export function buildApp(world: World): BuiltApp {
   const desk = new Desk(state, document, runner, autosave, messages);
   const deform = new DeformActions(document, evaluator);
   const hair = new HairActions({ state, document, evaluator, models, viewport });
-  const workspaces = new Workspaces({ state, document, desk, evaluator, messages });
+  const merge = new MergeActions({ state, document, runner });
+  const workspaces = new Workspaces({ state, document, desk, evaluator, messages, merge });
   const files = new Files({
     state,
     document,
@@ -97,6 +102,7 @@ export function buildApp(world: World): BuiltApp {
     evaluator,
     viewport,
     messages,
+    merge,
     dialogs: world.dialogs,
   });
   const share = new Share(document, messages, world);
@@ -132,8 +138,21 @@ export function buildApp(world: World): BuiltApp {
     stops.push(view.stop, stopHair, stopField, stopViewed, () => viewport.setPointerHandler(null));
   }
 
+  const panes = signal<Panes | null>(null);
+  const cancelMain = cancelGesture;
+  stops.push(
+    effect(() => {
+      if (state.workspace.value !== 'merge' || panes.peek()) return;
+      panes.value = world.panes();
+      if (!panes.value) return;
+      const synced = syncPanes(panes.value, { state, document, actions: merge, settings });
+      stops.push(synced.stop);
+      cancelGesture = () => [synced.cancel(), cancelMain()].some((active) => active);
+    }),
+  );
+
   const gestures = { cancel: () => cancelGesture(), back: () => goBack() };
-  const context = { state, document, deform, hair, workspaces, files, settings, viewport, gestures };
+  const context = { state, document, deform, hair, merge, workspaces, files, settings, viewport, gestures };
   const commands = new Commands(allCommands(context), failed, () => state.workspace.value);
   const keymap = new Keymap(commands, settings, world.mac);
   stops.push(
@@ -158,6 +177,7 @@ export function buildApp(world: World): BuiltApp {
     document,
     deform,
     hair,
+    merge,
     workspaces,
     files,
     autosave,
@@ -166,6 +186,7 @@ export function buildApp(world: World): BuiltApp {
     gallery,
     messages,
     viewport,
+    panes,
     desk,
     evaluator,
     reload: () => void autosave.flush().then(world.reload),

@@ -4,7 +4,7 @@
 import type { MessageKey } from './i18n';
 import type { WorkspaceId } from './state';
 
-export type CommandGroup = 'file' | 'edit' | 'tool' | 'handle' | 'hair' | 'view' | 'help';
+export type CommandGroup = 'file' | 'edit' | 'tool' | 'handle' | 'hair' | 'merge' | 'view' | 'help';
 
 export interface Command {
   /** Stable: keymaps are stored under it. */

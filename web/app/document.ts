@@ -148,6 +148,7 @@ export class Document implements DocumentService {
 
   #follow(history: History<Recipe, Selection>): void {
     this.#unsubscribe();
+    this.state.merge.held.value = null;
     this.#history = history;
     this.#unsubscribe = history.subscribe(() => this.#publish());
     this.#publish();

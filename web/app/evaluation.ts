@@ -11,9 +11,11 @@ import type { Runner, RunOptions } from '../run/evaluate';
 import type { ModelResult, StepReport } from '../run/types';
 import { growsAlike, runHair, sameHead, withLook } from './hair/evaluation';
 import { t } from './i18n';
+import { mergeWanted, runMerge } from './merge/evaluation';
+import { sameCut } from './merge/steps';
 import type { State } from './state';
 
-export type RunnerPort = Pick<Runner, 'run' | 'input'>;
+export type RunnerPort = Pick<Runner, 'run' | 'input' | 'opened'>;
 
 /** The open step's result: what is on screen. */
 export interface Evaluation {
@@ -35,10 +37,13 @@ interface Request {
   readonly recipe: Recipe;
   readonly step: Step;
   readonly live: boolean;
+  /** Of a merge step: how it is wanted. */
+  readonly merge: ReturnType<typeof mergeWanted> | undefined;
 }
 
 /** A live step slower than this shows the first solve only and settles on release (ALGORITHMS 1, "Live"). */
 const FRAME_BUDGET = 120;
+const BUSY = { deform: 'busy.preparing', hair: 'busy.growing', merge: 'busy.merging' } as const;
 /** Work shorter than this shows no progress, in milliseconds. */
 const PATIENCE = 250;
 
@@ -70,7 +75,8 @@ export class Evaluator {
       const { recipe, selection } = state.shown.value;
       const live = state.previewing.value;
       const step = stepById(recipe, selection.step);
-      if (step) this.#push({ recipe, step, live });
+      const merge = step?.type === 'merge' ? mergeWanted(state, step) : undefined;
+      if (step) this.#push({ recipe, step, live, merge });
       else this.#clear();
     });
   }
@@ -98,8 +104,7 @@ export class Evaluator {
   #push(request: Request): void {
     const last = this.#last;
     // Where only the selection changed, nothing is to be computed.
-    if (last && last.recipe === request.recipe && last.step === request.step && last.live === request.live)
-      return;
+    if (last && sameRequest(last, request)) return;
     if (last && !worthWaiting(last, request)) this.#runs.cancel();
     this.#last = request;
     this.#runs.push(request);
@@ -108,7 +113,7 @@ export class Evaluator {
   async #evaluate(request: Request, signal: AbortSignal): Promise<Evaluation> {
     const { recipe, step, live } = request;
     const started = performance.now();
-    const busy = this.#busy(t(step.type === 'hair' ? 'busy.growing' : 'busy.preparing'));
+    const busy = this.#busy(t(BUSY[step.type]));
     try {
       const options = { signal, onProgress: busy.progress };
       const finished = (outcome: Outcome, settled = !live): Evaluation => ({
@@ -128,13 +133,15 @@ export class Evaluator {
     }
   }
 
-  async #run({ recipe, step, live }: Request, options: RunOptions): Promise<Outcome> {
+  async #run({ recipe, step, live, merge }: Request, options: RunOptions): Promise<Outcome> {
     const { signal } = options;
     if (step.type === 'deform' && step.handles.length === 0) {
       const input = await this.runner.input(recipe, step.id, signal ? { signal } : {});
       return { input, positions: input.model.positions, strands: null, report: null };
     }
     const settle = !live || this.#settledTime <= FRAME_BUDGET;
+    if (merge && step.type === 'merge')
+      return runMerge(this.runner, recipe, step, merge, this.state, { ...options, settle });
     const results = await this.runner.run(recipe, { ...options, until: step.id, settle });
     const { input, model, report } = results.get(step.id)!;
     return { input, positions: model.positions, strands: null, report };
@@ -177,8 +184,11 @@ export class Evaluator {
     let fraction: number | null = null;
     let shown = false;
     const cancel = () => {
+      const step = this.#last?.step;
       this.#last = null;
       this.#runs.cancel();
+      // What was stopped by hand waits for its button.
+      if (step?.type === 'merge') this.state.merge.held.value = step.id;
     };
     const show = () => {
       shown = true;
@@ -209,9 +219,14 @@ function worthWaiting(last: Request, next: Request): boolean {
   return last.live && sameHead(last.step, next.step) && sameBefore(last.recipe, next.recipe, next.step);
 }
 
-/** Whether both need the same factorization: only where the handles go differs. */
+const sameRequest = (a: Request, b: Request): boolean =>
+  a.recipe === b.recipe && a.step === b.step && a.live === b.live && a.merge === b.merge;
+
+/** Whether both need the same factorization: only where the handles go differs, or which points of loops meet. */
 function sameSession(a: Request, b: Request): boolean {
   const [s, r] = [a.step, b.step];
+  if (s.type === 'merge' && r.type === 'merge')
+    return a.merge === b.merge && sameCut(s, r) && sameBefore(a.recipe, b.recipe, s);
   return (
     s.type === 'deform' &&
     r.type === 'deform' &&

@@ -11,6 +11,7 @@ import type { ModelResult } from '../run/types';
 import { pointAt, transform } from '../tools/geometry';
 import type { Evaluation, Evaluator } from './evaluation';
 import { hairFigures } from './hair/figures';
+import { mergeFigures } from './merge/evaluation';
 import type { ModelFacts, State, WhatItDid } from './state';
 
 export const factsOf = ({ model, opened }: Pick<ModelResult, 'model' | 'opened'>): ModelFacts => ({
@@ -68,6 +69,7 @@ function publish(state: State, evaluation: Evaluation | null): void {
     state.stretch.value = null;
     state.warnings.value = [];
     state.hair.figures.value = null;
+    state.merge.figures.value = null;
     return;
   }
   const { input, report, settled, elapsed } = evaluation;
@@ -89,8 +91,9 @@ function publish(state: State, evaluation: Evaluation | null): void {
   };
   const isHair = evaluation.step.type === 'hair';
   state.hair.figures.value = isHair ? hairFigures(evaluation, state.hair.figures.peek()) : null;
+  state.merge.figures.value = mergeFigures(evaluation);
   state.warnings.value = warningsOf(evaluation);
-  if (!report || isHair) {
+  if (evaluation.step.type !== 'deform' || !report) {
     state.whatItDid.value = null;
     state.stretch.value = null;
   }

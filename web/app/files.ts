@@ -6,7 +6,7 @@ import { readModel, writeModel, writeProject } from '../io/index';
 import type { StrandFormat } from '../io/strands/options';
 import { formatRecipe } from '../recipe/format';
 import type { ViewportPort } from '../view/types';
-import type { ExportChoice, ExportFormat, FileService, MessageService } from './api';
+import type { ExportChoice, ExportFormat, FileService, MergeService, MessageService } from './api';
 import type { Desk } from './desk';
 import type { Document } from './document';
 import type { Evaluation, Evaluator } from './evaluation';
@@ -36,6 +36,7 @@ export interface FileParts {
   readonly viewport: ViewportPort | null;
   readonly messages: MessageService;
   readonly dialogs: FileDialogs;
+  readonly merge: Pick<MergeService, 'choosePart'>;
 }
 
 export class Files implements FileService {

@@ -9,7 +9,7 @@ import { hasObjLines } from '../io/strands/obj-lines';
 import { newDeformStep, uniqueName } from '../recipe/edit';
 import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
-import type { MessageService } from './api';
+import type { MergeService, MessageService } from './api';
 import type { Desk } from './desk';
 import type { Evaluator } from './evaluation';
 import { viewed } from './hair/viewed';
@@ -32,6 +32,8 @@ interface Parts {
   readonly models: Pick<ModelStore, 'add' | 'read'>;
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
+  readonly merge: Pick<MergeService, 'choosePart'>;
+  readonly state: Pick<State, 'choosing'>;
 }
 
 export class FileOpener {
@@ -92,12 +94,16 @@ export class FileOpener {
   }
 
   async #openMesh({ name, bytes }: ReadFile): Promise<void> {
-    const { models, desk } = this.parts;
+    const { models, desk, merge, state } = this.parts;
     // Before it is kept under a name: a file that cannot be read leaves no trace.
     readModel(bytes, name);
     const { file } = await models.add(name, bytes);
     const { notes } = await models.read({ file });
     const model = modelName(name);
+    if (state.choosing.peek()) {
+      merge.choosePart(model, { file });
+      return;
+    }
     const id = uniqueName('deform 1', [model]);
     const recipe: Recipe = {
       lissom: 1,

@@ -5,18 +5,21 @@ import { computed, type ReadonlySignal, type Signal, signal } from '@preact/sign
 import type { Finding } from '../core/errors';
 import type { Model } from '../core/model';
 import { deformStepById } from '../recipe/edit';
-import type { DeformStep, HairStep, Recipe } from '../recipe/recipe';
+import type { DeformStep, HairStep, MergeStep, Recipe } from '../recipe/recipe';
 import type { DisplayOptions, GizmoMode } from '../view/types';
 import { HairState } from './hair/state';
 import { hairStepById } from './hair/steps';
 import type { MessageKey } from './i18n';
+import { MergeState } from './merge/state';
+import { mergeStepById } from './merge/steps';
 
-export type WorkspaceId = 'deform' | 'hair';
+export type WorkspaceId = 'deform' | 'hair' | 'merge';
 
 /** The tools of each workspace; the first is the one that Escape leads back to. */
 export const TOOLS = {
   deform: ['select', 'paint-roi', 'paint-handle', 'point-handle'],
   hair: ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp'],
+  merge: ['merge-pins', 'mark-region', 'mark-feature'],
 } as const satisfies Readonly<Record<WorkspaceId, readonly string[]>>;
 export type ToolId = (typeof TOOLS)[WorkspaceId][number];
 export type DialogId =
@@ -33,7 +36,7 @@ export type DialogId =
 export interface Selection {
   /** Id of the open step; `''` while the recipe has none. */
   readonly step: string;
-  /** Index into the open step's handles; in a hair step into its streams, partings and ponytails, in this order. */
+  /** Index into the open step's handles; in a hair step into its streams, partings and ponytails, in this order; in a merge step its pin. */
   readonly handle: number | null;
 }
 
@@ -139,10 +142,23 @@ export class State {
     hairStepById(this.recipe.value, this.selection.value.step),
   );
 
+  /** The open step while it is one that merges. */
+  readonly mergeStep: ReadonlySignal<MergeStep | undefined> = computed(() =>
+    mergeStepById(this.recipe.value, this.selection.value.step),
+  );
+
   // The workspace
-  /** That of the open step. */
-  readonly workspace: ReadonlySignal<WorkspaceId> = computed(() => (this.hairStep.value ? 'hair' : 'deform'));
   readonly hair = new HairState();
+  readonly merge = new MergeState();
+  /** Whether a part to add is being chosen: the merge step begins with it. */
+  readonly choosing: ReadonlySignal<boolean> = computed(
+    () => this.merge.choosing.value?.recipe === this.recipe.value,
+  );
+  /** That of the open step, or of the one being started. */
+  readonly workspace: ReadonlySignal<WorkspaceId> = computed(() => {
+    if (this.choosing.value || this.mergeStep.value) return 'merge';
+    return this.hairStep.value ? 'hair' : 'deform';
+  });
   readonly tool = signal<ToolId>('select');
   readonly gizmo = signal<GizmoMode>('translate');
   /** Brush radius in CSS pixels. */

@@ -3,6 +3,7 @@
 import type { KeymapService } from './api';
 import { hairStatus } from './hair/status';
 import { t } from './i18n';
+import { mergeStatus } from './merge/status';
 import type { State } from './state';
 
 /** Reads signals. */
@@ -11,6 +12,7 @@ export function statusText(state: State, keymap: KeymapService): string {
   if (!state.model.value) return t('status.no-model', { open: key('file.open') });
   if (state.hair.viewed.value) return t('status.viewed', { back: key('edit.cancel') });
   if (state.workspace.value === 'hair') return hairStatus(state, key);
+  if (state.workspace.value === 'merge') return mergeStatus(state, key);
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   switch (state.tool.value) {
     case 'select':

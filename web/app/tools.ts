@@ -1,4 +1,4 @@
-// The pointer goes to the tool that is chosen; one handler for the viewport, whichever tool it is.
+// The pointer goes to the tool that is chosen; one handler for a viewport, whichever tool it is.
 
 import type { DeformHost } from '../tools/deform/host';
 import { paintHandle, paintRoi } from '../tools/deform/paint-tool';
@@ -23,33 +23,17 @@ interface Parts {
   readonly settings: SettingsService;
 }
 
-export class ToolSwitch implements PointerHandler {
-  readonly #tools: Readonly<Record<ToolId, Tool>>;
-  readonly #ponytail: PonytailTool;
+/** Gives the pointer of a viewport to the tool that is chosen, and keeps a gesture with the tool that began it. */
+export class PointerSwitch implements PointerHandler {
   /** The tool that has the gesture under way. */
   #held: Tool | null = null;
 
-  constructor(private readonly parts: Parts) {
-    const { deform, hair } = parts;
-    this.#ponytail = new PonytailTool(hair);
-    this.#tools = {
-      select: new SelectTool(deform),
-      'paint-roi': paintRoi(deform),
-      'paint-handle': paintHandle(deform),
-      'point-handle': new PointTool(deform),
-      'hair-select': new HairSelectTool(hair),
-      stream: new StreamTool(hair),
-      hint: new HintTool(hair),
-      parting: new PartingTool(hair),
-      ponytail: this.#ponytail,
-      'paint-scalp': paintScalp(hair),
-    };
-  }
-
-  /** Takes back the last stroke of what the tool builds in several. @returns whether there was one */
-  back(): boolean {
-    return this.parts.state.tool.peek() === 'ponytail' && this.#ponytail.back();
-  }
+  /** @param chosen  undefined where the chosen tool has nothing to do here: then only the camera moves */
+  constructor(
+    private readonly view: Pick<ViewportPort, 'setBrush'>,
+    private readonly chosen: () => Tool | undefined,
+    private readonly settings: SettingsService,
+  ) {}
 
   /** Whether a gesture is under way. */
   get busy(): boolean {
@@ -57,11 +41,9 @@ export class ToolSwitch implements PointerHandler {
   }
 
   down(sample: PointerSample): boolean {
-    const { state, settings } = this.parts;
-    if (state.hair.viewed.peek()) return false;
-    if (sample.pointerType === 'touch' && settings.values.peek().penOnly) return false;
-    const tool = this.#tools[state.tool.peek()];
-    if (!tool.down(sample)) return false;
+    if (sample.pointerType === 'touch' && this.settings.values.peek().penOnly) return false;
+    const tool = this.chosen();
+    if (!tool?.down(sample)) return false;
     this.#held = tool;
     return true;
   }
@@ -77,17 +59,53 @@ export class ToolSwitch implements PointerHandler {
   }
 
   hover(sample: PointerSample): void {
-    if (this.parts.state.hair.viewed.peek()) return;
-    this.#tools[this.parts.state.tool.peek()].hover(sample);
+    this.chosen()?.hover(sample);
   }
 
   leave(): void {
-    this.#tools[this.parts.state.tool.peek()].leave();
-    this.parts.view.setBrush(null);
+    this.chosen()?.leave();
+    this.view.setBrush(null);
   }
 
-  cancel(): void {
+  /** @returns whether there was a gesture to end */
+  cancel(): boolean {
+    const { busy } = this;
     this.#held?.cancel();
     this.#held = null;
+    return busy;
+  }
+}
+
+/** The pointer of the main viewport. In the merge workspace the two models have panes of their own. */
+export class ToolSwitch extends PointerSwitch {
+  readonly #ponytail: PonytailTool;
+
+  constructor(private readonly parts: Parts) {
+    const { deform, hair } = parts;
+    const ponytail = new PonytailTool(hair);
+    const tools: Readonly<Partial<Record<ToolId, Tool>>> = {
+      select: new SelectTool(deform),
+      'paint-roi': paintRoi(deform),
+      'paint-handle': paintHandle(deform),
+      'point-handle': new PointTool(deform),
+      'hair-select': new HairSelectTool(hair),
+      stream: new StreamTool(hair),
+      hint: new HintTool(hair),
+      parting: new PartingTool(hair),
+      ponytail,
+      'paint-scalp': paintScalp(hair),
+    };
+    const { state } = parts;
+    super(
+      parts.view,
+      () => (state.hair.viewed.peek() ? undefined : tools[state.tool.peek()]),
+      parts.settings,
+    );
+    this.#ponytail = ponytail;
+  }
+
+  /** Takes back the last stroke of what the tool builds in several. @returns whether there was one */
+  back(): boolean {
+    return this.parts.state.tool.peek() === 'ponytail' && this.#ponytail.back();
   }
 }

@@ -69,7 +69,7 @@ export const addStep = (recipe: Recipe, step: Step, at = recipe.steps.length): R
 export function removeStep(recipe: Recipe, id: string): Recipe {
   const gone = stepById(recipe, id);
   if (!gone) return recipe;
-  const before = referencesOf(gone)[0]?.name;
+  const before = gone.type === 'merge' ? gone.target : referencesOf(gone)[0]?.name;
   const left = produce(recipe, (draft) => {
     draft.steps = draft.steps.filter((step) => step.id !== id);
     draft.outputs = draft.outputs.filter((output) => output.step !== id);

@@ -4,14 +4,15 @@ import { cancelled, LissomError } from '../core/errors';
 import { hashValue } from '../core/hash';
 import { Lru } from '../core/lru';
 import { faceCount, type Model, vertexCount } from '../core/model';
-import type { KernelPort, Measured } from '../kernel/contract';
+import type { KernelPort, Measured, RegionMaps } from '../kernel/contract';
 import { referencesOf } from '../recipe/cross-checks';
 import { stepById } from '../recipe/edit';
-import type { Recipe, Step } from '../recipe/recipe';
+import type { MergeStep, Recipe, Step } from '../recipe/recipe';
 import { modelPlace, type Plan, plan, stepPlace } from './plan';
 import { KernelSession } from './session';
 import { runnerOf } from './steps/all';
 import { type HairField, hairField } from './steps/hair';
+import { paintedRegions } from './steps/merge';
 import type { StepOutcome } from './steps/step-runner';
 import { type ModelResult, type ModelSource, placed, type StepResult } from './types';
 
@@ -71,14 +72,14 @@ export class Runner {
     });
   }
 
-  /** The opened model that a step starts from, or that a model's name stands for. */
-  input(
-    recipe: Recipe,
-    id: string,
-    { signal }: { readonly signal?: AbortSignal } = {},
-  ): Promise<ModelResult> {
+  /** The opened model that a step starts from, or that a model's name stands for; of a merge step its source. */
+  input(recipe: Recipe, id: string, options: Pick<RunOptions, 'signal'> = {}): Promise<ModelResult> {
     const step = stepById(recipe, id);
-    const name = step ? referencesOf(step)[0]!.name : id;
+    return this.opened(recipe, step ? referencesOf(step)[0]!.name : id, options);
+  }
+
+  /** The opened model under a name: one of the recipe's models, or what a step leaves. */
+  opened(recipe: Recipe, name: string, { signal }: Pick<RunOptions, 'signal'> = {}): Promise<ModelResult> {
     return this.#inTurn(async () => {
       const planned = await plan(recipe, this.#source, name);
       return this.#persistently(signal, async () => {
@@ -87,6 +88,24 @@ export class Runner {
         return this.#open(stages.get(name)!, signal);
       });
     });
+  }
+
+  /** Closed paths around painted vertices of a model or a step's result, the painted side to their left. */
+  async loopsAround(recipe: Recipe, name: string, vertices: Uint32Array): Promise<readonly Uint32Array[]> {
+    const { opened } = await this.opened(recipe, name);
+    return this.#session.call('loopsAround', { model: opened.model, vertices });
+  }
+
+  /** The plane maps that a merge step's optimal boundary is sought in. */
+  async mergeMaps(recipe: Recipe, { source, target, optimalBoundary }: MergeStep): Promise<RegionMaps> {
+    const [from, to] = [await this.opened(recipe, source), await this.opened(recipe, target)];
+    const counts = [vertexCount(from.model), vertexCount(to.model)] as const;
+    const regions = paintedRegions(
+      optimalBoundary ?? { sourceRegion: [], feature: [], targetRegion: [] },
+      ...counts,
+    );
+    const args = { source: from.opened.model, target: to.opened.model, regions };
+    return this.#session.call('mapRegions', args);
   }
 
   /**

@@ -20,6 +20,8 @@ export interface PaintScene {
   readonly graph: MeshGraph;
   /** The set together with what lies across the symmetry plane, when mirroring is on; else the set. */
   readonly mirrored: (vertices: Uint32Array) => Uint32Array;
+  /** Vertices under the brush where it is no ball on the surface; radius in model units. */
+  readonly under?: (hit: Hit, radius: number) => Uint32Array;
 }
 
 /** Parts of the brush radius between two stamps along the path. */
@@ -55,7 +57,8 @@ export class BrushStroke {
   }
 
   #stamp(hit: Hit, radius: number): void {
-    const inside = this.host.view.verticesWithin(hit, radius * this.host.view.pixelSize(hit.point));
+    const reach = radius * this.host.view.pixelSize(hit.point);
+    const inside = this.scene.under?.(hit, reach) ?? this.host.view.verticesWithin(hit, reach);
     const set = this.scene.graph.withCopies(inside.length > 0 ? inside : [hit.vertex]);
     for (const v of this.scene.mirrored(set)) this.touched.add(v);
   }

@@ -46,6 +46,14 @@ export class MeshGraph {
     return Uint32Array.from(out).sort();
   }
 
+  /** One file vertex of each place that an edge joins to this one. */
+  neighbours(vertex: number): number[] {
+    const place = this.#place[vertex] ?? -1;
+    if (place < 0) return [];
+    const near = this.#near.subarray(this.#start[place], this.#start[place + 1]);
+    return [...new Set(near)].map((each) => this.#copies[this.#copyStart[each]!]!);
+  }
+
   /** All vertices reached from `seed` over edges through vertices where `passable` holds, ascending. */
   flood(seed: number, passable: (vertex: number) => boolean): Uint32Array {
     const first = this.#place[seed] ?? -1;

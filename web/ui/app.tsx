@@ -8,23 +8,24 @@ import './controls/controls.css';
 import { AppContext } from './context';
 import { Dialogs } from './dialogs/dialogs';
 import './dialogs/dialogs.css';
+import './merge/merge.css';
 import './shell/shell.css';
 import { SidePanel } from './shell/side-panel';
-import { Stage } from './shell/stage';
+import { type Frames, Stage } from './shell/stage';
 import { StatusBar } from './shell/status-bar';
 import { Toasts } from './shell/toasts';
 import { ToolRail } from './shell/tool-rail';
 import { TopBar } from './shell/top-bar';
 import './tokens.css';
 
-function Page({ app, canvas }: { app: App; canvas: HTMLElement }) {
+function Page({ app, frames }: { app: App; frames: Frames }) {
   const [panelOpen, setPanelOpen] = useState(() => window.innerWidth >= 900);
   return (
     <AppContext.Provider value={app}>
       <div class={panelOpen ? 'page' : 'page panel-closed'}>
         <TopBar panelOpen={panelOpen} onTogglePanel={() => setPanelOpen(!panelOpen)} />
         <ToolRail />
-        <Stage canvas={canvas} />
+        <Stage frames={frames} />
         {panelOpen && <SidePanel />}
         <StatusBar />
       </div>
@@ -34,7 +35,7 @@ function Page({ app, canvas }: { app: App; canvas: HTMLElement }) {
   );
 }
 
-/** Renders the page into `root`; `canvas` is the viewport's own element, placed in the middle of it. */
-export function renderApp(root: HTMLElement, app: App, canvas: HTMLElement): void {
-  render(<Page app={app} canvas={canvas} />, root);
+/** Renders the page into `root`; `frames` are the viewports' own elements, placed in the middle of it. */
+export function renderApp(root: HTMLElement, app: App, frames: Frames): void {
+  render(<Page app={app} frames={frames} />, root);
 }

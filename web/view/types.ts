@@ -76,6 +76,15 @@ export interface ViewModel {
   readonly upAxis?: 'y' | 'z';
 }
 
+/** A closed line on the surface. */
+export interface LoopLine {
+  /** 3 per point, model space; the last is joined to the first. */
+  readonly points: Float64Array;
+  readonly kind: 'source' | 'target' | 'open';
+  /** Under the pointer, or picked: wider. */
+  readonly strong: boolean;
+}
+
 export interface CameraState {
   readonly position: Vec3;
   readonly target: Vec3;
@@ -117,6 +126,7 @@ export interface ViewportPort extends HairPort {
   settlePositions(): void;
   setRegions(regions: readonly RegionPaint[]): void;
   setMarkers(markers: readonly PointMarker[]): void;
+  setLoops(loops: readonly LoopLine[]): void;
   /** Colours by a value per source vertex, with the perceptual map whose legend is at `heatGradient()`. */
   setHeat(heat: { readonly values: Float32Array; readonly range: readonly [number, number] } | null): void;
   setDisplay(options: DisplayOptions): void;
@@ -141,6 +151,8 @@ export interface ViewportPort extends HairPort {
   camera: CameraState;
   /** One handler at a time. A left, pen or one-finger press is offered to it first. */
   setPointerHandler(handler: PointerHandler | null): void;
+  /** After each picture, for what is laid over it. @returns the function that unsubscribes */
+  onDraw(listener: () => void): () => void;
   /** Frames drawn in the last second; 0 at rest (drawing is on demand). */
   readonly frameRate: number;
   /** CSS pixels. */

@@ -20,6 +20,7 @@ import { HairLayer } from './hair/hair-layer';
 import { Rest } from './hair/rest';
 import { StillPicture } from './hair/still';
 import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './hair/types';
+import { LoopLines } from './loop-lines';
 import { Markers } from './markers';
 import { ModelView } from './model-view';
 import { OrientationWidget, type ViewLabels } from './orientation-widget';
@@ -34,6 +35,7 @@ import type {
   GizmoEvents,
   GizmoState,
   Hit,
+  LoopLine,
   PictureOptions,
   PointerHandler,
   PointMarker,
@@ -80,6 +82,8 @@ export class Viewport implements ViewportPort {
   readonly #stage: Stage;
   readonly #materials = new SurfaceMaterials();
   readonly #markers = new Markers();
+  readonly #loops = new LoopLines();
+  readonly #drawn = new Set<() => void>();
   readonly #gizmo: Gizmo;
   readonly #widget: OrientationWidget;
   readonly #input: PointerInput;
@@ -115,7 +119,7 @@ export class Viewport implements ViewportPort {
     container.append(this.#widget.element);
     this.#hair = new HairLayer(this.#renderer, options.test ?? false);
     this.#rest = new Rest(this.#renderer, () => this.#loop.request());
-    this.#scene.add(this.#markers.group, this.#hair.group);
+    this.#scene.add(this.#markers.group, this.#loops.group, this.#hair.group);
     this.#input = new PointerInput(canvas, {
       rig: this.#rig,
       gizmo: this.#gizmo,
@@ -144,6 +148,7 @@ export class Viewport implements ViewportPort {
     this.#hair.setModel(this.#view);
     this.setRegions([]);
     this.setMarkers([]);
+    this.setLoops([]);
     this.setHeat(null);
     this.setBrush(null);
     this.setGizmo(null);
@@ -183,6 +188,11 @@ export class Viewport implements ViewportPort {
     this.#redraw();
   }
 
+  setLoops(loops: readonly LoopLine[]): void {
+    this.#loops.set(loops, this.#space);
+    this.#redraw();
+  }
+
   setHeat(heat: { readonly values: Float32Array; readonly range: readonly [number, number] } | null): void {
     this.#materials.uniforms.heatShown.value = heat !== null;
     if (heat) this.#view?.setHeat(heat.values, heat.range);
@@ -198,7 +208,7 @@ export class Viewport implements ViewportPort {
       this.#view.mesh.material = this.#materials.of(options, sideOf(this.#view));
       this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
     }
-    for (const part of [this.#stage, this.#markers, this.#gizmo, this.#widget]) {
+    for (const part of [this.#stage, this.#markers, this.#loops, this.#gizmo, this.#widget]) {
       part.setPalette(palette);
     }
     this.#stage.showGrid(options.grid);
@@ -334,6 +344,11 @@ export class Viewport implements ViewportPort {
     this.#input.navigation = { ...this.#input.navigation, ...options };
   }
 
+  onDraw(listener: () => void): () => void {
+    this.#drawn.add(listener);
+    return () => this.#drawn.delete(listener);
+  }
+
   get frameRate(): number {
     return this.#loop.rate;
   }
@@ -385,6 +400,7 @@ export class Viewport implements ViewportPort {
       this.#gizmo,
       this.#widget,
       this.#markers,
+      this.#loops,
       this.#hair,
       this.#stage,
       this.#materials,
@@ -458,6 +474,7 @@ export class Viewport implements ViewportPort {
     this.#renderer.setSize(width, height, false);
     this.#materials.uniforms.pixelRatio.value = pixelRatio;
     this.#markers.setPixelRatio(pixelRatio);
+    this.#loops.setSize(width, height, pixelRatio);
     this.#hair.setSize(width, height, pixelRatio);
     this.#rig.resize(width, height);
   }
@@ -521,6 +538,7 @@ export class Viewport implements ViewportPort {
       if (this.#hair.shown && !this.options.test) this.#rest.wait();
     }
     this.#widget.update(camera, this.#space);
+    for (const listener of this.#drawn) listener();
   }
 
   /** @param frame  number of a picture at rest, from 1; 0: a moving one */

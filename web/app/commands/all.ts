@@ -5,6 +5,7 @@ import { fileCommands } from './file';
 import { hairCommands } from './hair';
 import { handleCommands } from './handle';
 import { helpCommands } from './help';
+import { mergeCommands } from './merge';
 import { toolCommands } from './tool';
 import { viewCommands } from './view';
 import { workspaceCommands } from './workspace';
@@ -17,6 +18,7 @@ export const allCommands = (context: CommandContext): Command[] =>
     toolCommands,
     handleCommands,
     hairCommands,
+    mergeCommands,
     viewCommands,
     workspaceCommands,
     helpCommands,

@@ -1,5 +1,12 @@
 import type { ViewportPort } from '../../view/types';
-import type { DeformService, FileService, HairService, SettingsService, WorkspaceService } from '../api';
+import type {
+  DeformService,
+  FileService,
+  HairService,
+  MergeService,
+  SettingsService,
+  WorkspaceService,
+} from '../api';
 import type { Document } from '../document';
 import type { State } from '../state';
 
@@ -9,6 +16,7 @@ export interface CommandContext {
   readonly document: Document;
   readonly deform: DeformService;
   readonly hair: HairService;
+  readonly merge: MergeService;
   readonly workspaces: WorkspaceService;
   readonly files: FileService;
   readonly settings: SettingsService;

@@ -37,6 +37,10 @@ export const editCommands = ({ state, document, gestures }: CommandContext): Com
         return;
       }
       if (gestures.cancel() || gestures.back()) return;
+      if (state.merge.picked.value) {
+        state.merge.picked.value = null;
+        return;
+      }
       const [home] = TOOLS[state.workspace.value];
       if (state.tool.value !== home) state.tool.value = home;
       else document.select(null);

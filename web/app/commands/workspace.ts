@@ -13,5 +13,9 @@ export function workspaceCommands({ state, workspaces }: CommandContext): Comman
     checked: () => state.workspace.value === id,
     run: () => workspaces.enter(id),
   });
-  return [enter('deform', 'Shift+1', 'move'), enter('hair', 'Shift+2', 'spline')];
+  return [
+    enter('deform', 'Shift+1', 'move'),
+    enter('hair', 'Shift+2', 'spline'),
+    enter('merge', 'Shift+3', 'combine'),
+  ];
 }

@@ -39,15 +39,17 @@ const placement = v.strictObject({
   scale: positive,
 });
 
+const ROUNDS = 'a whole number from 0 to 100';
+
 /** Painted regions; the boundary is found between the feature and the edge of the source region. */
 const optimalBoundary = v.strictObject({
   sourceRegion: vertexSet,
   feature: vertexSet,
   targetRegion: vertexSet,
   placement: v.optional(placement),
+  /** Rounds of seeking at most; 0: the edge of the source region is the boundary. As many as help when left out. */
+  rounds: v.optional(v.pipe(v.number(), v.integer(ROUNDS), v.minValue(0, ROUNDS), v.maxValue(100, ROUNDS))),
 });
-
-const ROUNDS = 'a whole number from 0 to 100';
 
 /**
  * Joins a source to a target along pairs of boundaries (Fu ch. 3). Vertex indices are those of the step's two input
@@ -73,3 +75,16 @@ export const mergeStep = v.strictObject({
 });
 
 export type MergeStep = v.InferOutput<typeof mergeStep>;
+
+/** A merge step as it starts: nothing is marked yet. */
+export const newMergeStep = (id: string, source: string, target: string): MergeStep => ({
+  id,
+  type: 'merge',
+  source,
+  target,
+  mode: 'independent',
+  boundaries: [],
+  roi: 'all',
+  handles: [],
+  smoothing: 1,
+});

@@ -78,7 +78,9 @@ export const mergeRunner: StepRunner<MergeStep> = {
           sourceKeep: toIndices(boundary.sourceKeep, sources),
           targetKeep: toIndices(boundary.targetKeep, targets),
         })),
-        ...(step.optimalBoundary ? { optimalBoundary: painted(step.optimalBoundary, sources, targets) } : {}),
+        ...(step.optimalBoundary
+          ? { optimalBoundary: paintedRegions(step.optimalBoundary, sources, targets) }
+          : {}),
         roi: step.roi === 'all' ? new Uint32Array() : toIndices(step.roi, sources),
         handles: step.handles.map(({ vertices, matrix }) => ({
           vertices: toIndices(vertices, sources),
@@ -107,7 +109,9 @@ export const mergeRunner: StepRunner<MergeStep> = {
       figures: {
         free: ready.free,
         degenerate: ready.degenerate,
-        ...(step.optimalBoundary ? { energy: [...ready.energies], placement: ready.placement } : {}),
+        ...(step.optimalBoundary
+          ? { energy: [...ready.energies], placement: ready.placement }
+          : { keys: merged.keys.map(pairs) }),
         seamVertices: vertices,
         eulerCharacteristic: merged.eulerCharacteristic,
         seam: dihedrals,
@@ -120,8 +124,8 @@ export const mergeRunner: StepRunner<MergeStep> = {
   },
 };
 
-const painted = (
-  { sourceRegion, feature, targetRegion, placement }: NonNullable<MergeStep['optimalBoundary']>,
+export const paintedRegions = (
+  { sourceRegion, feature, targetRegion, placement, rounds }: NonNullable<MergeStep['optimalBoundary']>,
   sources: number,
   targets: number,
 ): PaintedRegions => ({
@@ -129,7 +133,12 @@ const painted = (
   feature: toIndices(feature, sources),
   targetRegion: toIndices(targetRegion, targets),
   ...(placement ? { placement } : {}),
+  ...(rounds === undefined ? {} : { rounds }),
 });
+
+/** A list of keys as recipes write them. */
+const pairs = (keys: Uint32Array): [number, number][] =>
+  Array.from({ length: keys.length / 2 }, (_, i) => [keys[2 * i]!, keys[2 * i + 1]!]);
 
 /** What is cut and factored: everything but the keys. Names are for the eye only. */
 const prepared = (step: MergeStep): object => ({
@@ -148,6 +157,7 @@ const prepared = (step: MergeStep): object => ({
           vertexSetKey(step.optimalBoundary.targetRegion),
         ],
         placement: step.optimalBoundary.placement ?? 'best',
+        rounds: step.optimalBoundary.rounds ?? 'enough',
       }
     : {}),
   roi: vertexSetKey(step.roi),

@@ -1,28 +1,35 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { t } from '../../app/i18n';
+import type { MergeSide } from '../../tools/merge/pins';
 import { useApp } from '../context';
 import { HeatLegend } from '../deform/heat-legend';
 import { ViewedBar } from '../hair/viewed-bar';
+import { MergeStage } from '../merge/merge-stage';
 import { ViewBar } from './view-bar';
 
-/** Holds the viewport's canvas, which lives longer than any component, and what floats over it. */
-export function Stage({ canvas }: { canvas: HTMLElement }) {
+/** The viewports' elements, which live longer than any component: the main one, and those of two models to merge. */
+export type Frames = Readonly<Record<'main' | MergeSide, HTMLElement>>;
+
+/** Holds the main viewport's canvas and what floats over it; beside it the two models where they are merged. */
+export function Stage({ frames }: { frames: Frames }) {
   const { state, viewport } = useApp();
   const frame = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
-    frame.current?.prepend(canvas);
-  }, [canvas]);
+    frame.current?.prepend(frames.main);
+  }, [frames]);
   const hint = state.hint.value;
+  const merging = state.workspace.value === 'merge';
   return (
-    <main ref={frame} class="stage" aria-label={t('ui.viewport')}>
+    <main ref={frame} class={merging ? 'stage merging' : 'stage'} aria-label={t('ui.viewport')}>
+      {merging && <MergeStage frames={frames} />}
       {viewport === null && <p class="stage-empty">{t('ui.no-webgl')}</p>}
       <ViewBar />
       <ViewedBar />
-      {hint && !state.hair.viewed.value && <p class="hint">{t(hint)}</p>}
-      {state.heat.value && <HeatLegend />}
+      {hint && !merging && !state.hair.viewed.value && <p class="hint">{t(hint)}</p>}
+      {state.heat.value && !merging && <HeatLegend />}
       {state.dropping.value && (
         <div class="drop">
-          <p>{t('ui.drop')}</p>
+          <p>{t(state.choosing.value ? 'ui.drop.part' : 'ui.drop')}</p>
         </div>
       )}
     </main>

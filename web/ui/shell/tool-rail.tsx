@@ -16,6 +16,11 @@ function extras(tool: ToolId): readonly string[] {
       return ['gizmo.move', 'gizmo.rotate', 'gizmo.scale'];
     case 'paint-scalp':
       return ['hair.mirror', ...BRUSH];
+    case 'mark-region':
+    case 'mark-feature':
+      return ['merge.through', ...BRUSH];
+    case 'merge-pins':
+      return ['merge.remove-pin'];
     case 'hint':
       return ['hair.mirror', 'hair.support-kind', 'hair.rebuild-support'];
     case 'ponytail':

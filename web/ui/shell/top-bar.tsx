@@ -6,7 +6,7 @@ import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Menu } from '../controls/menu';
 
-const WORKSPACES = ['deform', 'hair'] as const;
+const WORKSPACES = ['deform', 'hair', 'merge'] as const;
 
 export function TopBar({ onTogglePanel, panelOpen }: { onTogglePanel: () => void; panelOpen: boolean }) {
   const { state, commands } = useApp();

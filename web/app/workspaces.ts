@@ -1,16 +1,17 @@
 // Going from one workspace to another: the last step of its kind is opened, or one is started.
 
-import * as edit from '../../recipe/edit';
-import type { Recipe, StepType } from '../../recipe/recipe';
-import { newHairStep } from '../../recipe/steps/hair';
-import { primitivesOf } from '../../tools/hair/style';
-import type { MessageService, WorkspaceService } from '../api';
-import type { Desk } from '../desk';
-import type { Document } from '../document';
-import type { Evaluator } from '../evaluation';
-import { t } from '../i18n';
-import type { State, WorkspaceId } from '../state';
-import { scalpOf } from './steps';
+import { LissomError } from '../core/errors';
+import * as edit from '../recipe/edit';
+import type { Recipe, StepType } from '../recipe/recipe';
+import { newHairStep } from '../recipe/steps/hair';
+import { primitivesOf } from '../tools/hair/style';
+import type { MergeService, MessageService, WorkspaceService } from './api';
+import type { Desk } from './desk';
+import type { Document } from './document';
+import type { Evaluator } from './evaluation';
+import { scalpOf } from './hair/steps';
+import { t } from './i18n';
+import type { State, WorkspaceId } from './state';
 
 /** The head that hair starts on where the open model has no scalp. */
 const HEAD = 'head-female';
@@ -21,6 +22,7 @@ interface Parts {
   readonly desk: Desk;
   readonly evaluator: Pick<Evaluator, 'result' | 'settled'>;
   readonly messages: MessageService;
+  readonly merge: Pick<MergeService, 'start'>;
 }
 
 export class Workspaces implements WorkspaceService {
@@ -29,9 +31,19 @@ export class Workspaces implements WorkspaceService {
   async enter(workspace: WorkspaceId): Promise<void> {
     const { state, document } = this.parts;
     if (state.workspace.peek() === workspace && document.selection.step !== '') return;
-    const held = document.recipe.steps.findLast(({ type }) => type === workspace);
+    if (state.choosing.peek()) {
+      // A part that was asked for and not chosen leaves no trace.
+      state.merge.choosing.value = null;
+      if (state.workspace.peek() === workspace) return;
+    }
+    const { steps } = document.recipe;
+    // What was merged is deformed as a whole: deform steps before the merge are opened from the list of steps.
+    const merged =
+      workspace === 'deform' ? steps.findIndex(({ id }) => id === state.mergeStep.peek()?.id) : -1;
+    const held = steps.slice(merged + 1).findLast(({ type }) => type === workspace);
     if (held) document.openStep(held.id);
     else if (workspace === 'hair') await this.#startHair();
+    else if (workspace === 'merge') await this.#startMerge();
     else this.#startDeform();
   }
 
@@ -76,12 +88,22 @@ export class Workspaces implements WorkspaceService {
     state.tool.value = 'stream';
   }
 
+  async #startMerge(): Promise<void> {
+    const target = this.#openModel();
+    if (target === undefined) throw new LissomError('no-model', t('error.no-model'));
+    await this.parts.merge.start(target);
+  }
+
   #startDeform(): void {
     const { document } = this.parts;
     const { recipe } = document;
     const at = recipe.steps.findIndex(({ id }) => id === document.selection.step);
     const open = recipe.steps[at];
-    if (!open || open.type === 'merge') return;
+    if (!open) return;
+    if (open.type === 'merge') {
+      this.#deformAfter(open.id);
+      return;
+    }
     const id = freeId('deform', recipe);
     // Before the hair, which follows the shape it grows on.
     const steps = [
@@ -91,6 +113,14 @@ export class Workspaces implements WorkspaceService {
       ...recipe.steps.slice(at + 1),
     ];
     document.commit(t('history.deform.start'), { ...recipe, steps }, { step: id, handle: null });
+  }
+
+  /** The merged model is deformed after the merge. */
+  #deformAfter(merge: string): void {
+    const { document } = this.parts;
+    const id = freeId('deform', document.recipe);
+    const recipe = edit.addStep(document.recipe, edit.newDeformStep(id, merge));
+    document.commit(t('history.deform.start'), recipe, { step: id, handle: null });
   }
 
   /** What a new step starts from: the open step's result, or its model where it does nothing yet. */

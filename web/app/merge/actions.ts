@@ -1,0 +1,362 @@
+// Edits of the open merge step that panels and commands ask for; each is one step of undo.
+
+import { LissomError } from '../../core/errors';
+import { fromIndices } from '../../core/vertex-set';
+import type { RegionMaps } from '../../kernel/contract';
+import * as edit from '../../recipe/edit';
+import type { MergeStep, ModelRef } from '../../recipe/recipe';
+import { newMergeStep } from '../../recipe/steps/merge';
+import type { Runner } from '../../run/evaluate';
+import type { Mark } from '../../tools/merge/host';
+import { arcLengths, type Loop } from '../../tools/merge/loops';
+import {
+  type MergeSide,
+  otherSide,
+  type Pin,
+  pinsOf,
+  removeKey,
+  withFoundKeys,
+} from '../../tools/merge/pins';
+import type { MergeService } from '../api';
+import type { Document } from '../document';
+import { t } from '../i18n';
+import type { State } from '../state';
+import { Aids } from './aids';
+import { type Meeting, meetingOf } from './meeting';
+import {
+  isReady,
+  MARKS,
+  markOf,
+  mergeStepById,
+  type OptimalBoundary,
+  sideOfMark,
+  withBoundaries,
+  withMark,
+  withMergeStep,
+} from './steps';
+
+interface Parts {
+  readonly state: State;
+  readonly document: Document;
+  readonly runner: Pick<Runner, 'loopsAround' | 'opened' | 'mergeMaps'>;
+}
+
+/** Width of a transition when it is switched on, as a part of the loop's length. */
+const STRIP = 0.08;
+
+export class MergeActions implements MergeService {
+  readonly aids: Aids;
+  /** What `finish` will call the edit under way. */
+  #live = '';
+
+  constructor(private readonly parts: Parts) {
+    this.aids = new Aids(parts.state.merge.sides);
+  }
+
+  start(target: string): Promise<void> {
+    return this.#choose(target, null);
+  }
+
+  async changePart(): Promise<void> {
+    const step = this.#step;
+    if (step) await this.#choose(step.target, step.id);
+  }
+
+  async cancelChoosing(): Promise<void> {
+    const { state, document, runner } = this.parts;
+    state.merge.choosing.value = null;
+    const step = this.#step;
+    if (!step) return;
+    // The part that was there is shown again.
+    const source = await runner.opened(document.recipe, step.source);
+    const target = await runner.opened(document.recipe, step.target);
+    if (this.#step === step) state.merge.sides.value = { source, target };
+  }
+
+  choosePart(name: string, ref: ModelRef): void {
+    const { state, document } = this.parts;
+    const choosing = state.merge.choosing.peek();
+    if (!choosing || !state.choosing.peek()) return;
+    const held = document.recipe.models[name];
+    const isHeld = held !== undefined && sameRef(held, ref);
+    const source = isHeld ? name : edit.uniqueName(name, edit.takenNames(document.recipe));
+    const named = isHeld ? document.recipe : edit.setModel(document.recipe, source, ref);
+    const swapped = mergeStepById(named, choosing.swaps ?? '');
+    const id = swapped?.id ?? freeId(edit.takenNames(named));
+    const step = newMergeStep(id, source, choosing.target);
+    const targetRegion = swapped?.optimalBoundary?.targetRegion;
+    const recipe = swapped
+      ? edit.pruneModels(withMergeStep(named, targetRegion ? withMark(step, 'target', targetRegion) : step))
+      : edit.addStep(named, step);
+    state.merge.held.value = id;
+    document.commit(t('history.merge.start', { name: source }), recipe, { step: id, handle: null });
+    state.merge.choosing.value = null;
+    state.tool.value = 'mark-region';
+  }
+
+  setMark(mark: Mark, vertices: Uint32Array, label: string): void {
+    const { state } = this.parts;
+    const step = this.#step;
+    const count = this.#count(sideOfMark(mark));
+    if (!step || count === 0) return;
+    // Rough marks come in several strokes: they are merged when the button says so.
+    if (step.boundaries.length > 0 || !isReady(step)) state.merge.held.value = step.id;
+    this.#commit(label, withMark(step, mark, fromIndices(vertices, count) as OptimalBoundary['feature']));
+  }
+
+  clearMark(mark: Mark): void {
+    this.setMark(mark, new Uint32Array(), t('history.merge.clear-mark'));
+  }
+
+  markSize(mark: Mark): number {
+    const step = this.parts.state.mergeStep.value;
+    const side = this.parts.state.merge.sides.value[sideOfMark(mark)];
+    return step && side ? markOf(step, mark, side.model.positions.length / 3).length : 0;
+  }
+
+  async merge(): Promise<void> {
+    const { state } = this.parts;
+    const step = this.#step;
+    if (!step) return;
+    if (step.boundaries.length === 0) {
+      const found = await this.#meeting(step, false);
+      if (this.#step !== step) return;
+      this.#apply(step, found);
+    }
+    state.merge.problem.value = null;
+    state.merge.held.value = null;
+  }
+
+  async cutAlongMarks(): Promise<void> {
+    const step = this.#step;
+    if (!step) return;
+    const found = await this.#meeting(step, true);
+    if (this.#step !== step) return;
+    this.#apply(step, found);
+    this.parts.state.merge.held.value = null;
+    this.parts.state.tool.value = 'merge-pins';
+  }
+
+  pickLoop(side: MergeSide, loop: Loop): void {
+    const { picked, held } = this.parts.state.merge;
+    const step = this.#step;
+    const other = picked.peek();
+    if (!step) return;
+    if (!other || other.side === side) {
+      picked.value = other?.loop === loop ? null : { side, loop };
+      return;
+    }
+    const pair = { [side]: [...loop], [otherSide(side)]: [...other.loop] } as Record<MergeSide, number[]>;
+    const boundary = { ...pair, keys: [], sourceKeep: [], targetKeep: [] };
+    picked.value = null;
+    held.value = null;
+    const boundaries = [...withFoundKeys(step.boundaries, this.#foundKeys), boundary];
+    this.#commit(t('history.merge.pair'), withBoundaries(step, boundaries));
+  }
+
+  removePair(index: number): void {
+    const step = this.#step;
+    if (!step) return;
+    const { transition: _, ...bare } = step;
+    const boundaries = step.boundaries.filter((_, i) => i !== index);
+    this.#commit(
+      t('history.merge.remove-pair'),
+      boundaries.length > 0 ? { ...step, boundaries } : { ...bare, boundaries },
+    );
+  }
+
+  pins(): readonly Pin[] {
+    const step = this.parts.state.mergeStep.value;
+    return step ? pinsOf(step.boundaries, this.#foundKeys) : [];
+  }
+
+  /** The step's boundaries, the keys that were found written into them. */
+  boundaries(): MergeStep['boundaries'] {
+    return withFoundKeys(this.#step?.boundaries ?? [], this.#foundKeys);
+  }
+
+  removePin(number: number): void {
+    const pin = this.pins()[number];
+    if (!pin) return;
+    const boundaries = this.boundaries().map((boundary, i) =>
+      i === pin.boundary ? removeKey(boundary, pin.key) : boundary,
+    );
+    this.setBoundaries(t('history.merge.remove-pin'), boundaries, null);
+  }
+
+  setBoundaries(label: string, boundaries: MergeStep['boundaries'], pin: number | null): void {
+    const step = this.#step;
+    if (!step) return;
+    this.parts.state.merge.held.value = null;
+    this.#commit(label, { ...step, boundaries }, pin);
+  }
+
+  previewBoundaries(boundaries: MergeStep['boundaries'], pin: number | null): void {
+    const { document } = this.parts;
+    const step = this.#step;
+    if (!step) return;
+    document.preview(withMergeStep(document.recipe, { ...step, boundaries }), {
+      step: step.id,
+      handle: pin,
+    });
+  }
+
+  setMode(mode: MergeStep['mode']): void {
+    const step = this.#step;
+    if (step && step.mode !== mode) this.#commit(t('history.merge.mode'), { ...step, mode });
+  }
+
+  setSmoothing(smoothing: number, live = false): void {
+    const step = this.#step;
+    if (step) this.#set(t('history.merge.smoothing'), { ...step, smoothing }, live, 'smoothing');
+  }
+
+  setTransition(shares: Readonly<Record<MergeSide, number>> | null, live = false): void {
+    const step = this.#step;
+    if (!step) return;
+    const { transition: old, ...bare } = step;
+    if (!shares) {
+      this.#set(t('history.merge.transition-off'), bare, live, 'transition');
+      return;
+    }
+    const width = (side: MergeSide) => Number((shares[side] * this.#loopLength(step, side)).toPrecision(4));
+    const transition = {
+      sourceWidth: width('source'),
+      targetWidth: width('target'),
+      weight: old?.weight ?? 0.1,
+    };
+    this.#set(t('history.merge.transition'), { ...bare, transition }, live, 'transition');
+  }
+
+  /** Widths as parts of the loops' lengths; `STRIP` where there is no transition. */
+  transitionShares(): Readonly<Record<MergeSide, number>> {
+    const step = this.parts.state.mergeStep.value;
+    if (!step?.transition) return { source: STRIP, target: STRIP };
+    const { sourceWidth, targetWidth } = step.transition;
+    return {
+      source: sourceWidth / this.#loopLength(step, 'source'),
+      target: targetWidth / this.#loopLength(step, 'target'),
+    };
+  }
+
+  setPlacement(placement: OptimalBoundary['placement']): void {
+    const step = this.#step;
+    if (!step?.optimalBoundary) return;
+    const { placement: _, ...marks } = step.optimalBoundary;
+    const optimalBoundary = placement ? { ...marks, placement } : marks;
+    this.#commit(t('history.merge.placement'), { ...step, optimalBoundary });
+  }
+
+  async maps(): Promise<RegionMaps | null> {
+    const step = this.#step;
+    if (!step?.optimalBoundary || !isReady(step)) return null;
+    const { placement: _, ...marks } = step.optimalBoundary;
+    try {
+      return await this.parts.runner.mergeMaps(this.parts.document.recipe, {
+        ...step,
+        optimalBoundary: marks,
+      });
+    } catch (error) {
+      // What is wrong with the marks is told where they are merged.
+      if (error instanceof LissomError) return null;
+      throw error;
+    }
+  }
+
+  finish(): void {
+    if (this.#live) this.parts.document.finish(this.#live);
+    this.#live = '';
+  }
+
+  cancel(): void {
+    this.#live = '';
+    this.parts.document.cancel();
+  }
+
+  get #step(): MergeStep | undefined {
+    const { document } = this.parts;
+    return mergeStepById(document.recipe, document.selection.step);
+  }
+
+  get #foundKeys() {
+    return this.parts.state.merge.figures.value?.keys ?? [];
+  }
+
+  #count(side: MergeSide): number {
+    return (this.parts.state.merge.sides.peek()[side]?.model.positions.length ?? 0) / 3;
+  }
+
+  #loopLength(step: MergeStep, side: MergeSide): number {
+    const model = this.parts.state.merge.sides.peek()[side]?.model;
+    const lengths = step.boundaries.map((boundary) =>
+      model ? arcLengths(boundary[side], model.positions).at(-1)! : 1,
+    );
+    return Math.max(...lengths, 0) || 1;
+  }
+
+  /** @throws LissomError  where the marks say too little, in words that say what to do */
+  #meeting(step: MergeStep, cut: boolean): Promise<Meeting> {
+    const { document, runner } = this.parts;
+    const { recipe } = document;
+    const part = (side: MergeSide) => {
+      const aid = this.aids.of(side);
+      if (!aid) throw new LissomError('merge-no-model', t('error.merge-no-model'));
+      const marks = Object.fromEntries(
+        MARKS.filter((mark) => sideOfMark(mark) === side).map((mark) => [
+          mark,
+          markOf(step, mark, aid.positions.length / 3),
+        ]),
+      ) as Partial<Record<Mark, Uint32Array>>;
+      const name = step[side];
+      return { ...aid, marks, loopsAround: (set: Uint32Array) => runner.loopsAround(recipe, name, set) };
+    };
+    return meetingOf(part('source'), part('target'), cut);
+  }
+
+  #apply(step: MergeStep, found: Meeting): void {
+    if (found.kind === 'loops') {
+      this.#commit(t('history.merge.find'), withBoundaries(step, [...found.boundaries]));
+      return;
+    }
+    const next = MARKS.reduce((marked, mark) => {
+      const count = this.#count(sideOfMark(mark));
+      const known = markOf(step, mark, count);
+      const vertices = found.marks[mark];
+      const isSame = known.length === vertices.length && known.every((v, i) => v === vertices[i]);
+      return isSame
+        ? marked
+        : withMark(marked, mark, fromIndices(vertices, count) as OptimalBoundary['feature']);
+    }, step);
+    if (next !== step) this.#commit(t('history.merge.find'), next);
+  }
+
+  async #choose(target: string, swaps: string | null): Promise<void> {
+    const { state, document, runner } = this.parts;
+    const { recipe } = document;
+    const opened = await runner.opened(recipe, target);
+    if (document.recipe !== recipe) return;
+    state.merge.sides.value = { source: null, target: opened };
+    state.merge.choosing.value = { recipe, target, swaps };
+  }
+
+  #set(label: string, step: MergeStep, live: boolean, merge: string): void {
+    const { document } = this.parts;
+    if (live) {
+      this.#live = label;
+      document.preview(withMergeStep(document.recipe, step), document.selection);
+    } else this.#commit(label, step, document.selection.handle, `merge:${merge}`);
+  }
+
+  #commit(label: string, step: MergeStep, handle: number | null = null, merge?: string): void {
+    const { document } = this.parts;
+    document.commit(label, withMergeStep(document.recipe, step), { step: step.id, handle }, merge);
+  }
+}
+
+const sameRef = (a: ModelRef, b: ModelRef): boolean =>
+  'file' in a ? 'file' in b && a.file === b.file : 'builtin' in b && a.builtin === b.builtin;
+
+/** `merge 1`, `merge 2` … */
+function freeId(taken: readonly string[]): string {
+  for (let number = 1; ; number++) if (!taken.includes(`merge ${number}`)) return `merge ${number}`;
+}

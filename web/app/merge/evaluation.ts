@@ -1,0 +1,83 @@
+// A merge step from a recipe: its two models at once, the merged one when it is asked for and can be had.
+
+import { isCancelled, LissomError } from '../../core/errors';
+import type { MergeStep, Recipe } from '../../recipe/recipe';
+import type { RunOptions } from '../../run/evaluate';
+import type { ModelResult, StepReport } from '../../run/types';
+import type { Key } from '../../tools/merge/pins';
+import type { Evaluation, RunnerPort } from '../evaluation';
+import { tCode } from '../i18n';
+import type { State } from '../state';
+import type { MergeFigures, Sides } from './state';
+import { isReady, withMergeStep } from './steps';
+
+export interface MergedStep {
+  readonly input: ModelResult;
+  readonly positions: Float64Array;
+  readonly strands: null;
+  readonly report: StepReport | null;
+}
+
+/** How the open merge step is wanted: not yet, along the region's edge, or as it is. Reads signals. */
+export function mergeWanted(state: State, step: MergeStep): 'held' | 'before' | 'whole' {
+  const { held, before } = state.merge;
+  if (held.value === step.id) return 'held';
+  return before.value && step.optimalBoundary ? 'before' : 'whole';
+}
+
+/** The merged model takes the place of the input, for it is a model of its own; until there is one, the target does. */
+export async function runMerge(
+  runner: RunnerPort,
+  recipe: Recipe,
+  step: MergeStep,
+  wanted: ReturnType<typeof mergeWanted>,
+  { merge }: Pick<State, 'merge'>,
+  options: RunOptions,
+): Promise<MergedStep> {
+  const { signal } = options;
+  const aborting = signal ? { signal } : {};
+  const source = await runner.opened(recipe, step.source, aborting);
+  const target = await runner.opened(recipe, step.target, aborting);
+  if (!signal?.aborted) showSides(merge.sides, { source, target });
+  const bare = { input: target, positions: target.model.positions, strands: null, report: null };
+  if (!isReady(step) || wanted === 'held') {
+    merge.problem.value = null;
+    return bare;
+  }
+  const asked = wanted === 'before' ? withMergeStep(recipe, withoutRounds(step)) : recipe;
+  try {
+    const results = await runner.run(asked, { ...options, until: step.id });
+    const input = await runner.opened(asked, step.id, aborting);
+    if (!signal?.aborted) merge.problem.value = null;
+    const { report } = results.get(step.id)!;
+    return { input, positions: input.model.positions, strands: null, report };
+  } catch (error) {
+    if (!(error instanceof LissomError) || isCancelled(error) || error.fault !== 'input') throw error;
+    if (!signal?.aborted)
+      merge.problem.value = tCode('merge.problem.', error.code, 'error.unknown', { detail: error.message });
+    return bare;
+  }
+}
+
+const withoutRounds = (step: MergeStep): MergeStep =>
+  step.optimalBoundary ? { ...step, optimalBoundary: { ...step.optimalBoundary, rounds: 0 } } : step;
+
+function showSides(sides: { value: Sides; peek(): Sides }, next: Sides): void {
+  const shown = sides.peek();
+  const same = (['source', 'target'] as const).every((side) => shown[side]?.opened === next[side]?.opened);
+  if (!same) sides.value = next;
+}
+
+export function mergeFigures({ report, input }: Evaluation): MergeFigures | null {
+  if (report?.type !== 'merge') return null;
+  const seam = report.seam as Record<'highDihedral' | 'ownHighDihedral', number>;
+  return {
+    seamVertices: Number(report.seamVertices),
+    closed: input.opened.closed,
+    eulerCharacteristic: Number(report.eulerCharacteristic),
+    seamDihedral: seam.highDihedral,
+    ownDihedral: seam.ownHighDihedral,
+    energy: (report.energy as readonly number[] | undefined) ?? [],
+    keys: (report.keys as readonly (readonly Key[])[] | undefined) ?? [],
+  };
+}

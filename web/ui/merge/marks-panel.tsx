@@ -1,0 +1,53 @@
+import { t } from '../../app/i18n';
+import { MARKS } from '../../app/merge/steps';
+import type { Mark } from '../../tools/merge/host';
+import { useApp } from '../context';
+import { Button } from '../controls/button';
+import { CommandButton } from '../controls/command-button';
+import { Section } from '../controls/section';
+
+/** Where the two shall meet, roughly painted; and the button that does it. */
+export function MarksPanel() {
+  const { state } = useApp();
+  const step = state.mergeStep.value;
+  if (!step) return null;
+  const waits = state.merge.held.value === step.id || !state.merge.figures.value;
+  return (
+    <Section title={t('ui.merge.marks')} aside={<CommandButton command="tool.mark-region" iconOnly />}>
+      <ul class="list">
+        {MARKS.map((mark) => (
+          <MarkRow key={mark} mark={mark} />
+        ))}
+      </ul>
+      <div class="buttons">
+        <CommandButton command="merge.run" kind={waits ? 'primary' : 'solid'} />
+        <CommandButton command="merge.cut" kind="solid" />
+      </div>
+    </Section>
+  );
+}
+
+function MarkRow({ mark }: { mark: Mark }) {
+  const { merge } = useApp();
+  const size = merge.markSize(mark);
+  const name = t(`ui.merge.mark.${mark}`);
+  return (
+    <li class="row" title={t(`ui.merge.mark.${mark}.help`)}>
+      <span class="row-main">
+        <span class={`dot ${mark}`} />
+        <span>{name}</span>
+        <span class="muted count">
+          {size > 0 ? size : t(mark === 'feature' ? 'ui.merge.mark.found' : 'ui.merge.mark.none')}
+        </span>
+      </span>
+      {size > 0 && (
+        <Button
+          icon="x"
+          iconOnly
+          label={t('ui.merge.mark.clear', { name })}
+          onClick={() => merge.clearMark(mark)}
+        />
+      )}
+    </li>
+  );
+}

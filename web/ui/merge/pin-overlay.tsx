@@ -1,0 +1,94 @@
+import { useEffect, useRef, useState } from 'preact/hooks';
+import type { MergeSide, Pin } from '../../tools/merge/pins';
+import { slot } from '../../tools/merge/pins';
+import type { Vec3, ViewportPort } from '../../view/types';
+import { useApp } from '../context';
+
+const RADIUS = 10;
+/** A pin is behind the model when the surface in front of it is nearer by this part of the distance. */
+const BEHIND = 0.01;
+
+interface Place {
+  readonly x: number;
+  readonly y: number;
+  readonly hidden: boolean;
+}
+
+/** Numbered pins on both models, and lines between partners. The pointer passes through: tools take hold of pins. */
+export function PinOverlay() {
+  const { state, merge, panes } = useApp();
+  const frame = useRef<SVGSVGElement>(null);
+  const [, redraw] = useState(0);
+  const views = panes.value;
+  useEffect(() => {
+    if (!views) return;
+    const again = () => redraw((count) => count + 1);
+    const stops = [views.source.onDraw(again), views.target.onDraw(again)];
+    return () => {
+      for (const stop of stops) stop();
+    };
+  }, [views]);
+  const { source, target } = state.merge.sides.value;
+  const selected = state.selection.value.handle;
+  const own = state.mergeStep.value?.boundaries ?? [];
+  const half = (frame.current?.clientWidth ?? 0) / 2;
+  const height = frame.current?.clientHeight ?? 0;
+  const placed =
+    views && source && target && half > 0
+      ? merge.pins().map((pin) => ({
+          pin,
+          ends: [
+            placeOf(views.source, source.model.positions, pin, 'source', 0),
+            placeOf(views.target, target.model.positions, pin, 'target', half),
+          ] as const,
+        }))
+      : [];
+  return (
+    <svg ref={frame} class="pin-overlay" aria-hidden="true">
+      <clipPath id="pin-panes">
+        <rect width={2 * half} height={height} />
+      </clipPath>
+      <g clip-path="url(#pin-panes)">
+        {placed.map(({ pin, ends: [a, b] }) => (
+          <line
+            key={pin.number}
+            class={pin.number === selected ? 'tie selected' : 'tie'}
+            x1={a.x}
+            y1={a.y}
+            x2={b.x}
+            y2={b.y}
+          />
+        ))}
+        {placed.flatMap(({ pin, ends }) =>
+          ends.map(({ x, y, hidden }, side) => (
+            <g
+              key={`${pin.number} ${side}`}
+              class={`pin-mark${pin.number === selected ? ' selected' : ''}${hidden ? ' hidden' : ''}${own[pin.boundary]?.keys.length ? '' : ' found'}`}
+              transform={`translate(${x} ${y})`}
+            >
+              <circle r={RADIUS} />
+              <text dy="4">{pin.number + 1}</text>
+            </g>
+          )),
+        )}
+      </g>
+    </svg>
+  );
+}
+
+function placeOf(
+  view: ViewportPort,
+  positions: Float64Array,
+  pin: Pin,
+  side: MergeSide,
+  left: number,
+): Place {
+  const v = 3 * pin.vertices[slot(side)];
+  const point: Vec3 = [positions[v]!, positions[v + 1]!, positions[v + 2]!];
+  const { x, y, behind } = view.project(point);
+  const hit = view.pick(x, y);
+  const eye = view.camera.position;
+  const away = Math.hypot(eye[0] - point[0], eye[1] - point[1], eye[2] - point[2]);
+  const hidden = behind || (hit !== null && away - hit.distance > BEHIND * hit.distance);
+  return { x: x + left, y, hidden };
+}
