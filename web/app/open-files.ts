@@ -33,7 +33,6 @@ interface Parts {
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
   readonly merge: Pick<MergeService, 'choosePart'>;
-  readonly state: Pick<State, 'choosing'>;
 }
 
 export class FileOpener {
