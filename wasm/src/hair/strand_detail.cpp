@@ -21,7 +21,7 @@ enum Purpose : std::uint64_t { in_clump = 20, in_phase, in_turn, in_radius, in_f
 constexpr double k_curl_radius = 0.04, k_curl_length = 0.16, k_curl_rise = 0.25;
 constexpr double k_turn_least = 0.8, k_turn_spread = 0.4; // turns of a clump, as shares of their length
 constexpr double k_frizz_size = 0.014, k_frizz_length = 0.05, k_frizz_rise = 0.12;
-constexpr double k_flyaway_size = 0.06, k_flyaway_length = 0.3;
+constexpr double k_flyaway_size = 0.045, k_flyaway_length = 0.3;
 constexpr double k_clearance = 0.003, k_apart = 0.12;
 constexpr double k_large_share = 0.45; // of the clumping that the large clumps do
 
@@ -52,54 +52,21 @@ StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, c
                            const TailTie& ties, const DetailOptions& options, std::uint64_t seed,
                            std::vector<Strand> guide_strands)
     : volume_(volume), head_(head), partings_(partings), ties_(ties), options_(options), seed_(seed),
-      guides_(std::move(guide_strands)) {
+      company_(std::move(guide_strands), volume.head_height) {
     for (const double share : {options.clump, options.curl, options.frizz, options.flyaways})
         if (!(share >= 0 && share <= 1)) throw InvalidInput("bad-option", "Clump, curl, frizz and flyaways go from 0 to 1.");
     if (options.curl_length && !(*options.curl_length > 0))
         throw InvalidInput("bad-option", "The length of a curl is a number above 0.");
 
-    Vector3d low = Vector3d::Constant(INFINITY), high = -low;
-    for (const Strand& g : guides_) {
-        low = low.cwiseMin(g.root.position);
-        high = high.cwiseMax(g.root.position);
+    const std::vector<Strand>& guides = company_.guides();
+    large_.assign(guides.size(), -1);
+    for (int g = 0; g < static_cast<int>(guides.size()); ++g) { // small clumps lean together into large ones
+        Strand& guide = company_.guide(g);
+        const std::vector<int> large = company_.nearest(guide.root, guide.sides, large_guides, 1);
+        if (large.empty()) continue;
+        large_[static_cast<std::size_t>(g)] = large[0];
+        if (g >= large_guides) gather(guide, company_.guide(large[0]), k_large_share * options_.clump, 0.1);
     }
-    if (guides_.empty()) return;
-    buckets_.step = std::max((high - low).maxCoeff() / 24, 1e-9 * volume.head_height);
-    buckets_.origin = low;
-    buckets_.size = ((high - low) / buckets_.step).array().floor().cast<int>() + 1;
-    bucket_.resize(static_cast<std::size_t>(buckets_.count()));
-    for (std::size_t g = 0; g < guides_.size(); ++g) {
-        const Eigen::Vector3i c = buckets_.local(guides_[g].root.position).cast<int>();
-        bucket_[static_cast<std::size_t>(buckets_.node(c.x(), c.y(), c.z()))].push_back(static_cast<int>(g));
-    }
-    large_.resize(guides_.size());
-    for (std::size_t g = 0; g < guides_.size(); ++g) { // small clumps lean together into large ones
-        const int large = large_[g] = guide_of(guides_[g].root, guides_[g].sides, large_guides);
-        if (large >= 0 && g >= large_guides) gather(guides_[g], guides_[static_cast<std::size_t>(large)], k_large_share * options_.clump, 0.1);
-    }
-}
-
-int StrandDetail::guide_of(const Root& root, const PartingGuard::Sides& sides, int among) const {
-    if (bucket_.empty()) return -1;
-    const Eigen::Vector3i at = buckets_.local(root.position).cwiseMax(0.0).cast<int>().cwiseMin((buckets_.size.array() - 1).matrix());
-    int best = -1;
-    double nearest = INFINITY;
-    const int widest = among < static_cast<int>(guides_.size()) ? 6 : 2;
-    for (int ring = 1; ring <= widest && best < 0; ring *= 2)
-        for (int z = std::max(0, at.z() - ring); z <= std::min(buckets_.size.z() - 1, at.z() + ring); ++z)
-            for (int y = std::max(0, at.y() - ring); y <= std::min(buckets_.size.y() - 1, at.y() + ring); ++y)
-                for (int x = std::max(0, at.x() - ring); x <= std::min(buckets_.size.x() - 1, at.x() + ring); ++x)
-                    for (const int g : bucket_[static_cast<std::size_t>(buckets_.node(x, y, z))]) {
-                        if (g >= among) break;
-                        const Strand& guide = guides_[static_cast<std::size_t>(g)];
-                        if (PartingGuard::apart(guide.sides, sides)) continue;
-                        if (guide.root.normal.dot(root.normal) < 0) continue;
-                        const double distance = (guide.root.position - root.position).squaredNorm();
-                        if (distance >= nearest) continue;
-                        nearest = distance;
-                        best = g;
-                    }
-    return best;
 }
 
 void StrandDetail::gather(Strand& strand, const Strand& guide, double strength, double root_share) const {
@@ -141,7 +108,8 @@ void StrandDetail::roughen(Strand& strand, std::uint64_t index, const std::vecto
     const double h = volume_.head_height;
     const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
     const double frizz = options_.frizz * (stray ? 1.6 : 1) * k_frizz_size * h * (0.4 + 1.2 * chance(seed_, index, in_radius));
-    const double stand = stray ? k_flyaway_size * h * (0.3 + chance(seed_, index, in_shape)) : 0;
+    const double far = chance(seed_, index, in_shape);
+    const double stand = stray ? k_flyaway_size * h * (0.15 + far * far) : 0; // most of them a little, a few clearly
     const double start = 16 * chance(seed_, index, in_turn);
     if (frizz == 0 && stand == 0) return;
     for (std::size_t k = 1; k < strand.points.size(); ++k) {
@@ -153,7 +121,7 @@ void StrandDetail::roughen(Strand& strand, std::uint64_t index, const std::vecto
         if (stand > 0) {
             Vector3d way = noise(along / (k_flyaway_length * h), seed_, index, in_flyaway);
             const Vector3d out = head_.gradient(p);
-            way += 0.5 * out;
+            way += 0.3 * out;
             p += looseness[k] * stand * smooth(along / (0.6 * h)) * way;
         }
     }
@@ -162,11 +130,11 @@ void StrandDetail::roughen(Strand& strand, std::uint64_t index, const std::vecto
 int StrandDetail::apply(Strand& strand, std::uint64_t index) const {
     const double h = volume_.head_height;
     const bool stray = chance(seed_, index, in_flyaway) < options_.flyaways;
+    const int guide = company_.join(strand);
     const std::vector<double> looseness = ties_.looseness(strand.points, strand.segment);
-    const int guide = guide_of(strand.root, strand.sides, static_cast<int>(guides_.size()));
     if (guide >= 0 && options_.clump > 0 && !stray) {
         const double own = 0.6 + 0.4 * chance(seed_, index, in_clump);
-        gather(strand, guides_[static_cast<std::size_t>(guide)], options_.clump * own, 0.05);
+        gather(strand, company_.guides()[static_cast<std::size_t>(guide)], options_.clump * own, 0.05);
     }
     if (options_.curl > 0) curl(strand, index, guide >= 0 ? static_cast<std::uint64_t>(guide) : index, looseness);
     roughen(strand, index, looseness);

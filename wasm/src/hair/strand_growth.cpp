@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-enum Purpose : std::uint64_t { in_layer = 10, in_length = 11, in_root = 12 };
+enum Purpose : std::uint64_t { in_layer = 10, in_length = 11, in_root = 12, in_lock = 13 };
 
 constexpr double k_least = 0.05;       // magnitude at which a strand ends (Fu 4.6)
 constexpr double k_sure = 0.12;        // of the head height: up to here a strand grows through a faint field
@@ -23,11 +23,31 @@ constexpr double k_lift = 0.35;        // steepest rise off the skin, per unit o
 constexpr double k_turn = 12;          // points for one turn of a wave
 constexpr double k_ahead = 2.5, k_over = 0.7; // how many segments ahead a strand looks, and its steepest rise then
 
+constexpr double k_lock = 0.05;        // of the head height: hair that ends together
+constexpr double k_fray = 0.6;         // how much of what is left of the variation is each strand's own
 constexpr std::uint64_t k_roots = 16; // places tried for a root that is not on a parting's line
 
 double smooth(double t) {
     t = std::clamp(t, 0.0, 1.0);
     return t * t * (3 - 2 * t);
+}
+
+/// In [0, 1): the same for all roots of a lock, easing over to the next one's.
+double of_lock(const Vector3d& root, double size, std::uint64_t seed) {
+    const Vector3d q = root / size, low = q.array().floor();
+    double sum = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        double weight = 1;
+        std::uint64_t number = 0;
+        for (int d = 0; d < 3; ++d) {
+            const int far = corner >> d & 1;
+            const double t = smooth(q[d] - low[d]);
+            weight *= far ? t : 1 - t;
+            number = number << 20 ^ static_cast<std::uint64_t>(static_cast<std::int64_t>(low[d]) + far);
+        }
+        sum += weight * chance(seed, number, in_lock);
+    }
+    return sum;
 }
 
 void demand(bool holds, const char* what) {
@@ -71,7 +91,9 @@ double StrandGrowth::length_of(const Root& root, std::uint64_t index) const {
         };
         painted = (1 - root.b - root.c) * corner(0) + root.b * corner(1) + root.c * corner(2);
     }
-    const double u = chance(options_.seed, index, in_length);
+    // Locks end together, a little frayed; strands that each ended anywhere would look like a broom.
+    const double lock = of_lock(root.position, k_lock * volume_.head_height, options_.seed);
+    const double u = lock + (1 - lock) * k_fray * chance(options_.seed, index, in_length);
     return length_ * std::max(0.0, painted) * (1 - options_.length_variation * u * u);
 }
 

@@ -101,7 +101,7 @@ export const hairStep = v.strictObject({
       /** Share of the red kind of melanin. */
       redness: v.optional(share, 0.2),
       colorVariation: v.optional(share, 0.2),
-      /** Diameter at the root, model units; 0.08 mm on a head 24 cm high when left out. */
+      /** Diameter at the root, model units. Left out: 0.08 mm on a head 24 cm high, up to twice that below 100,000 strands. */
       thickness: v.optional(length),
       /** Diameter at the tip as a share of it. */
       taper: v.optional(share, 0.35),

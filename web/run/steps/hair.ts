@@ -15,6 +15,9 @@ import type { StepContext, StepRunner } from './step-runner';
 export const PREVIEW_STRANDS = 4000;
 /** 0.08 mm on a head 24 cm high: an average hair. */
 const THICKNESS = 0.08 / 240;
+/** Hairs on a head: fewer strands are drawn thicker, up to twice, for each stands for several. */
+const WHOLE_HEAD = 100_000;
+const THICKEST = 2;
 
 export const hairRunner: StepRunner<HairStep> = {
   check(step, path, [input]) {
@@ -171,9 +174,12 @@ function lengthMap(parts: HairStep['length']['map'], count: number): Float32Arra
   return factors;
 }
 
-const lookOf = ({ material }: HairStep, { headHeight }: OpenedHair): StrandLook => ({
+const thicknessOf = (count: number, headHeight: number): number =>
+  THICKNESS * headHeight * Math.min(THICKEST, Math.max(1, Math.sqrt(WHOLE_HEAD / Math.max(1, count))));
+
+const lookOf = ({ material, strands }: HairStep, { headHeight }: OpenedHair): StrandLook => ({
   color: material.color?.toLowerCase() ?? hairColor(material.melanin, material.redness),
   colorVariation: material.colorVariation,
-  thickness: material.thickness ?? THICKNESS * headHeight,
+  thickness: material.thickness ?? thicknessOf(strands.count, headHeight),
   taper: material.taper,
 });

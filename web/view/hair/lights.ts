@@ -25,6 +25,8 @@ const boxes = SOFT_BOXES.map(softLight);
 
 /** The studio's lamps that matter to hair: from above, from the front and from behind. */
 export const SOFT_LIGHTS: readonly [SoftLight, SoftLight, SoftLight] = [boxes[0]!, boxes[1]!, boxes[3]!];
+/** The lamp at the other side of the key: where it shines it comes unhindered. */
+export const FILL_LIGHT = boxes[2]!;
 export const KEY_LIGHT = {
   towards: KEY.clone().normalize(),
   light: new Color(KEY_COLOUR).multiplyScalar(KEY_INTENSITY),

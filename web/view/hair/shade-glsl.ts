@@ -16,6 +16,9 @@ uniform vec3 keyLight;
 uniform vec3 softDirection[3];
 uniform vec3 softLight[3];
 uniform float softSpread[3];   // half the lamp's angle
+uniform vec3 fillDirection;    // the lamp that only lightens the shaded side
+uniform vec3 fillLight;
+uniform float fillSpread;
 uniform vec3 skyLight;
 uniform vec3 groundLight;
 uniform sampler3D lightGrid;   // openness; what is left of the three soft lights after a quarter of the way
@@ -75,6 +78,16 @@ vec3 kajiyaKay(vec3 tangent, vec3 eye, vec3 towards, vec3 colour) {
   return colour * sinLight / PI + vec3(0.1 * shine);
 }
 
+vec4 lightAt(vec3 place) { return texture(lightGrid, clamp((place - gridLow) / gridSize, 0.0, 1.0)); }
+
+// Whether a place lies on the hair's side towards a direction, 0..1: out is where it opens.
+float openTo(vec3 place, vec3 direction) {
+  float d = 1.5 * gridSize / float(textureSize(lightGrid, 0).x);
+  vec3 out_ = vec3(lightAt(place + vec3(d, 0, 0)).r - lightAt(place - vec3(d, 0, 0)).r,
+                   lightAt(place + vec3(0, d, 0)).r - lightAt(place - vec3(0, d, 0)).r,
+                   lightAt(place + vec3(0, 0, d)).r - lightAt(place - vec3(0, 0, d)).r);
+  return smoothstep(-0.2, 0.8, dot(out_, direction) / max(length(out_), 1e-4));
+}
 
 vec3 colourOf(uint seed, uint group, float along) {
   float lighter = unit(seed + 0x68bc21ebu) - 0.5;
@@ -101,7 +114,7 @@ void main() {
   vec3 eye = eyeFar ? eyeBack : normalize(eyePlace - place);
   uint seed = uint(strand);
   vec3 colour = colourOf(seed, texel.w, float(point) / float(perStrand - 1));
-  vec4 light = texture(lightGrid, clamp((place - gridLow) / gridSize, 0.0, 1.0));
+  vec4 light = lightAt(place);
   vec3 softDepth = -4.0 * log(max(light.gba, 1.0 / 512.0));
   vec2 key = keyLightAt(place, 0.3, 3.0);
   // Strands absorb per crossing what, over the many crossings in a head of hair, makes this colour:
@@ -120,10 +133,15 @@ void main() {
       float depth = softDepth[i];
       sum += softLight[i] * lit(fibre, softDirection[i], softSpread[i], colour, exp(-0.9 * depth), exp(-loss * depth));
     }
+    float filled = openTo(place, fillDirection) * light.r;
+    sum += fillLight * lit(fibre, fillDirection, fillSpread, colour, filled, vec3(filled));
     vec3 facing = normalize(eye - fibre.sinEye * tangent);
     vec3 around = mix(groundLight, skyLight, 0.5 + 0.4 * facing.y + 0.1 * eye.y);
     // Openness squared: light that came in has to come out again.
-    sum += around * colour * light.r * mix(0.5, 1.0, light.r);
+    sum += around * colour * light.r * mix(0.6, 1.0, light.r);
+    // The room mirrored in the strand, the mean over the cone of its reflection: what gives dark hair its form.
+    float mirrored = 0.75 * sqrt(1.0 - fibre.sinEye * fibre.sinEye) * facing.y - fibre.sinEye * tangent.y;
+    sum += 0.055 * mix(groundLight, skyLight, 0.5 + 0.5 * mirrored) * light.r;
   } else {
     sum = keyLight * key.y * exp(-0.9 * key.x) * kajiyaKay(tangent, eye, keyDirection, colour);
     for (int i = 0; i < 3; i++) sum += softLight[i] * exp(-softDepth[i]) * kajiyaKay(tangent, eye, softDirection[i], colour);

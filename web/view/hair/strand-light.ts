@@ -12,7 +12,7 @@ import {
   type WebGLRenderer,
   WebGLRenderTarget,
 } from 'three';
-import { GROUND, KEY_LIGHT, SKY, SOFT_LIGHTS } from './lights';
+import { FILL_LIGHT, GROUND, KEY_LIGHT, SKY, SOFT_LIGHTS } from './lights';
 import { ROW } from './quantise';
 import { LIGHT_FRAGMENT } from './shade-glsl';
 
@@ -60,6 +60,9 @@ export class StrandLight {
         softDirection: { value: SOFT_LIGHTS.map(({ towards }) => towards) },
         softLight: { value: SOFT_LIGHTS.map(({ light }) => light) },
         softSpread: { value: SOFT_LIGHTS.map(({ spread }) => spread) },
+        fillDirection: { value: FILL_LIGHT.towards },
+        fillLight: { value: FILL_LIGHT.light },
+        fillSpread: { value: FILL_LIGHT.spread },
         skyLight: { value: SKY },
         groundLight: { value: GROUND },
       },

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lissom/hair/strand_growth.h"
+#include "lissom/hair/strand_company.h"
 #include "lissom/hair/tail_tie.h"
 
 namespace lissom {
@@ -19,7 +19,7 @@ struct DetailOptions {
 
 /// Adds detail to grown strands, each from its own number: the same strand whatever is grown beside it.
 ///
-/// In this order: clumps of two sizes, curls in a parallel-transported frame, frizz, flyaways, hair drawn
+/// In this order: strands without company join their neighbours, clumps of two sizes, curls in a parallel-transported frame, frizz, flyaways, hair drawn
 /// together where a ponytail is tied, and at last no point in the head and none across its parting.
 class StrandDetail {
 public:
@@ -35,7 +35,6 @@ public:
     int apply(Strand& strand, std::uint64_t index) const;
 
 private:
-    [[nodiscard]] int guide_of(const Root& root, const PartingGuard::Sides& sides, int among) const;
     void gather(Strand& strand, const Strand& guide, double strength, double root_share) const;
     void curl(Strand& strand, std::uint64_t index, std::uint64_t clump, const std::vector<double>& looseness) const;
     void roughen(Strand& strand, std::uint64_t index, const std::vector<double>& looseness) const;
@@ -46,10 +45,8 @@ private:
     const TailTie& ties_;
     DetailOptions options_;
     std::uint64_t seed_;
-    std::vector<Strand> guides_;
-    std::vector<int> large_;              // per guide its large clump; −1: none
-    Grid buckets_;                        // of guide roots
-    std::vector<std::vector<int>> bucket_;
+    StrandCompany company_;
+    std::vector<int> large_; // per guide its large clump; −1: none
 };
 
 } // namespace lissom
