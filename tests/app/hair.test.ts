@@ -271,12 +271,12 @@ test('the status line says what the tool in hand does', async () => {
   const tab = await styled();
   const { state, commands } = tab.app;
   const said = new Set<string>();
-  for (const id of ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp']) {
+  for (const id of ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp', 'paint-length']) {
     await commands.run(`tool.${id}`);
     expect(state.status.value).not.toMatch(/[{}]/);
     said.add(state.status.value);
   }
-  expect(said.size).toBe(6);
+  expect(said.size).toBe(7);
   await commands.run('edit.cancel');
   expect(state.tool.value).toBe('hair-select');
 });

@@ -20,6 +20,7 @@ import { Gallery, recipeOn } from './gallery';
 import { HairActions } from './hair/actions';
 import { syncField } from './hair/field-sync';
 import { AppHairHost } from './hair/host';
+import { AppLengthHost } from './hair/length-host';
 import { hideCurvesAtFirst } from './hair/opening';
 import { syncHair } from './hair/view-sync';
 import { besidesViewed, endViewingOnChange, syncViewed } from './hair/viewed';
@@ -120,7 +121,8 @@ export function buildApp(world: World): BuiltApp {
   if (viewport) {
     const host = new AppDeformHost(viewport, state, document, evaluator);
     const hairHost = new AppHairHost({ viewport, state, document, evaluator, messages });
-    const tools = new ToolSwitch({ view: viewport, deform: host, hair: hairHost, state, settings });
+    const lengths = new AppLengthHost({ state, document, hair: hairHost });
+    const tools = new ToolSwitch({ view: viewport, deform: host, hair: hairHost, lengths, state, settings });
     const own = { result: besidesViewed(state, evaluator) };
     const view = syncView({ viewport, state, evaluator: own, host });
     const stopHair = syncHair({ viewport, state, evaluator: own, host: hairHost });

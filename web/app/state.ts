@@ -18,7 +18,7 @@ export type WorkspaceId = 'deform' | 'hair' | 'merge';
 /** The tools of each workspace; the first is the one that Escape leads back to. */
 export const TOOLS = {
   deform: ['select', 'paint-roi', 'paint-handle', 'point-handle'],
-  hair: ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp'],
+  hair: ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp', 'paint-length'],
   merge: ['merge-pins', 'mark-region', 'mark-feature'],
 } as const satisfies Readonly<Record<WorkspaceId, readonly string[]>>;
 export type ToolId = (typeof TOOLS)[WorkspaceId][number];

@@ -5,6 +5,7 @@ import { paintHandle, paintRoi } from '../tools/deform/paint-tool';
 import { PointTool } from '../tools/deform/point-tool';
 import { SelectTool } from '../tools/deform/select-tool';
 import type { HairHost } from '../tools/hair/host';
+import { type LengthHost, paintLength } from '../tools/hair/length-tool';
 import { PartingTool } from '../tools/hair/parting-tool';
 import { PonytailTool } from '../tools/hair/ponytail-tool';
 import { paintScalp, type ScalpHost } from '../tools/hair/scalp-tool';
@@ -19,6 +20,7 @@ interface Parts {
   readonly view: Pick<ViewportPort, 'setBrush'>;
   readonly deform: DeformHost;
   readonly hair: HairHost & ScalpHost;
+  readonly lengths: LengthHost;
   readonly state: Pick<State, 'tool' | 'hair'>;
   readonly settings: SettingsService;
 }
@@ -81,7 +83,7 @@ export class ToolSwitch extends PointerSwitch {
   readonly #ponytail: PonytailTool;
 
   constructor(private readonly parts: Parts) {
-    const { deform, hair } = parts;
+    const { deform, hair, lengths } = parts;
     const ponytail = new PonytailTool(hair);
     const tools: Readonly<Partial<Record<ToolId, Tool>>> = {
       select: new SelectTool(deform),
@@ -94,6 +96,7 @@ export class ToolSwitch extends PointerSwitch {
       parting: new PartingTool(hair),
       ponytail,
       'paint-scalp': paintScalp(hair),
+      'paint-length': paintLength(lengths),
     };
     const { state } = parts;
     super(

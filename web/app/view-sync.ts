@@ -8,6 +8,7 @@ import { markerId } from '../tools/deform/host';
 import type { RegionPaint, ViewportPort } from '../view/types';
 import type { AppDeformHost } from './deform-host';
 import type { Evaluation, Evaluator } from './evaluation';
+import { LENGTHS, shownLengths } from './hair/lengths';
 import { viewModel } from './hair/viewed';
 import type { State } from './state';
 
@@ -112,6 +113,11 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
     }),
     effect(() => viewport.setDisplay(state.display.value)),
     effect(() => {
+      const lengths = shownLengths(state, evaluator.result.value);
+      if (lengths) {
+        viewport.setHeat({ values: lengths, range: LENGTHS });
+        return;
+      }
       const values = state.stretch.value;
       const on = state.heat.value && evaluator.result.value !== null;
       viewport.setHeat(on && values ? { values, range: state.heatRange.value } : null);

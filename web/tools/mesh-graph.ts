@@ -35,6 +35,11 @@ export class MeshGraph {
     [this.#start, this.#near] = buckets(places, edges, from, to);
   }
 
+  /** Source vertices, whether they are a place or not. */
+  get vertexCount(): number {
+    return this.#place.length;
+  }
+
   /** The vertices together with all copies of them, ascending. */
   withCopies(vertices: Iterable<number>): Uint32Array {
     const out = new Set<number>();

@@ -7,11 +7,14 @@ export type PaintVerb = 'paint' | 'erase' | 'fill';
 /** What one gesture paints: the set it starts from, and where a new set goes. */
 interface Canvas {
   readonly base: Uint32Array;
+  /** Beside the tint, which every stroke under way has. */
+  preview?(vertices: Uint32Array): void;
   commit(verb: PaintVerb, vertices: Uint32Array): void;
 }
 
 /** What a brush paints. */
 export interface PaintSubject<S extends PaintScene> {
+  readonly id: string;
   readonly kind: RegionPaint['kind'];
   /** `null` while there is nothing to paint on. */
   scene(): S | null;
@@ -31,7 +34,7 @@ export class PaintTool<S extends PaintScene> implements Tool {
     private readonly host: PaintHost,
     private readonly subject: PaintSubject<S>,
   ) {
-    this.id = `paint-${subject.kind}`;
+    this.id = subject.id;
   }
 
   down(sample: PointerSample): boolean {
@@ -84,9 +87,10 @@ export class PaintTool<S extends PaintScene> implements Tool {
 
   #show(sample: PointerSample): void {
     if (!this.#painting) return;
-    const { base, erase, stroke } = this.#painting;
+    const { base, erase, stroke, canvas } = this.#painting;
     const vertices = result({ base, erase, touched: stroke.touched });
     this.host.showPaint({ kind: this.subject.kind, vertices });
+    canvas.preview?.(vertices);
     this.#showBrush(sample);
   }
 

@@ -54,17 +54,15 @@ export function hairCommands({ state, document, hair, gestures, viewport }: Comm
     tool('parting', 'split', ['P']),
     tool('ponytail', 'ribbon', ['T']),
     tool('paint-scalp', 'paintbrush', ['B']),
+    tool('paint-length', 'scissors', ['L']),
     {
-      id: 'hair.mirror',
+      id: 'hair.clear-lengths',
       group,
       workspace,
-      title: 'command.hair.mirror',
-      icon: 'flip-horizontal-2',
-      keys: ['M'],
-      checked: () => state.mirror.value,
-      run: () => {
-        state.mirror.value = !state.mirror.value;
-      },
+      title: 'command.hair.clear-lengths',
+      icon: 'eraser',
+      enabled: () => (state.hairStep.value?.length.map.length ?? 0) > 0,
+      run: () => hair.update({ length: { map: [] } }),
     },
     {
       id: 'hair.delete',

@@ -62,7 +62,6 @@ export function toolCommands({ state, deform, gestures }: CommandContext): Comma
     {
       id: 'brush.mirror',
       group,
-      workspace,
       title: 'command.brush.mirror',
       icon: 'flip-horizontal-2',
       keys: ['M'],

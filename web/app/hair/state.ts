@@ -42,6 +42,8 @@ export class HairState {
     volume: false,
   });
   readonly shading = signal<HairOptions['shading']>('natural');
+  /** The factor of the length that the brush paints. */
+  readonly lengthBrush = signal(0.5);
   readonly supportKind = signal<SupportKind>('strip');
   /** What supporting surfaces are built for; `null`: not looked at yet. */
   readonly viewpoint = signal<Viewpoint | null>(null);

@@ -23,6 +23,11 @@ export function hairStatus(state: State, key: Keys): string {
       return ponytailStatus(state, key);
     case 'paint-scalp':
       return t('status.hair.scalp', { smaller: key('brush.smaller'), larger: key('brush.larger') });
+    case 'paint-length': {
+      const percent = Math.round(100 * state.hair.lengthBrush.value);
+      const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
+      return t('status.hair.length', { percent, ...brush });
+    }
     default:
       if (kind === undefined) return restStatus(state, key);
       return t('status.hair.selected', { hint: key('tool.hint') });

@@ -1,6 +1,7 @@
 // Keeps the hair part of the viewport in step with the state: one effect per thing drawn.
 
 import { effect } from '@preact/signals';
+import { strandCount } from '../../core/strands';
 import { ponytailStage } from '../../tools/hair/ponytail-tool';
 import { curvesOf } from '../../tools/hair/style';
 import type { StyleCurve } from '../../view/hair/types';
@@ -8,6 +9,7 @@ import type { ViewportPort } from '../../view/types';
 import type { Evaluator } from '../evaluation';
 import type { State } from '../state';
 import type { AppHairHost } from './host';
+import { SPARSE } from './lengths';
 import { frameHair } from './opening';
 import { scalpOf } from './steps';
 
@@ -30,6 +32,7 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
       }
       viewport.setHair(strands);
     }),
+    thinWhilePainting(viewport, state, evaluator),
     frameHair({ viewport, state, evaluator }),
     effect(() => {
       viewport.setHairOptions({ show: state.hair.show.value.hair, shading: state.hair.shading.value });
@@ -56,7 +59,7 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
       const painted = host.paint.value;
       if (evaluation?.step.type !== 'hair' || !step) return;
       const vertices = painted ?? scalpOf(step, evaluation.input.model);
-      const shown = state.tool.value === 'paint-scalp';
+      const shown = state.tool.value === 'paint-scalp' || state.tool.value === 'paint-length';
       viewport.setMarkers([]);
       viewport.setRegions(
         shown ? [{ id: 'scalp', kind: 'scalp', vertices, visible: true, selected: true }] : [],
@@ -66,6 +69,22 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
   return () => {
     for (const stop of stops) stop();
   };
+}
+
+/** Colours on the scalp are of no use under a full head of hair. */
+function thinWhilePainting(
+  viewport: ViewportPort,
+  state: State,
+  { result }: Pick<Evaluator, 'result'>,
+): () => void {
+  let thin = false;
+  return effect(() => {
+    const shown = result.value;
+    const painting = state.tool.value === 'paint-length' && shown?.strands;
+    if (!painting && !thin) return;
+    thin = Boolean(painting);
+    viewport.setStrandShare(painting ? Math.min(1, SPARSE / Math.max(1, strandCount(painting))) : null);
+  });
 }
 
 /** Whether strokes land on the supporting surface now. */

@@ -157,7 +157,7 @@ function optionsOf({ strands, length, volume, detail }: HairStep, model: Model):
     step,
     lengthVariation: length.variation,
     ...(length.max !== undefined && { length: length.max }),
-    ...(length.map.length > 0 && { lengthMap: lengthMap(length.map, vertexCount(model)) }),
+    ...(length.map.length > 0 && { lengthMap: lengthFactors(length.map, vertexCount(model)) }),
     ...(volume !== undefined && { volume }),
     clump: detail.clump,
     curl: detail.curl,
@@ -167,7 +167,8 @@ function optionsOf({ strands, length, volume, detail }: HairStep, model: Model):
   };
 }
 
-function lengthMap(parts: HairStep['length']['map'], count: number): Float32Array {
+/** The factor of the length per vertex; 1 where nothing is painted. */
+export function lengthFactors(parts: HairStep['length']['map'], count: number): Float32Array {
   const factors = new Float32Array(count).fill(1);
   for (const { vertices, factor } of parts)
     for (const vertex of toIndices(vertices, count)) factors[vertex] = factor;

@@ -4,6 +4,7 @@ import type { Mark, MergeHost, MergeScene } from './host';
 /** Paints a mark on the model of one pane. */
 export const paintMark = (host: MergeHost, mark: Mark): PaintTool<MergeScene> =>
   new PaintTool(host, {
+    id: `mark-${mark}`,
     kind: mark,
     scene: () => host.scene(),
     canvas: (scene) => ({

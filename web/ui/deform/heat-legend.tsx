@@ -1,23 +1,10 @@
 import { t } from '../../app/i18n';
-import { heatGradient } from '../../view/heat';
 import { useApp } from '../context';
+import { Legend } from '../controls/legend';
 
 const percent = (value: number): string => `${value < 0 ? '−' : '+'}${Math.round(Math.abs(value) * 100)} %`;
 
 export function HeatLegend() {
   const [low, high] = useApp().state.heatRange.value;
-  return (
-    <figure class="legend">
-      <figcaption>{t('ui.heat')}</figcaption>
-      <div
-        class="legend-bar"
-        style={{ background: `linear-gradient(to right, ${heatGradient().join(', ')})` }}
-      />
-      <div class="legend-ends">
-        <span>{percent(low)}</span>
-        <span>0</span>
-        <span>{percent(high)}</span>
-      </div>
-    </figure>
-  );
+  return <Legend title={t('ui.heat')} ends={[percent(low), '0', percent(high)]} />;
 }

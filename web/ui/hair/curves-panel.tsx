@@ -26,7 +26,7 @@ export function CurvesPanel() {
       title={t('ui.hair.curves')}
       aside={
         <>
-          <CommandButton command="hair.mirror" iconOnly />
+          <CommandButton command="brush.mirror" iconOnly />
           <CommandButton command="hair.duplicate" iconOnly />
         </>
       }

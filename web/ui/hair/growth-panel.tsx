@@ -38,6 +38,23 @@ export function GrowthPanel() {
         onChange={(value) => hair.update({ length: { max: length(value) } }, true)}
         onCommit={finish}
       />
+      <div class="buttons">
+        <CommandButton command="tool.paint-length" kind="solid" />
+        {own.map.length > 0 && <CommandButton command="hair.clear-lengths" kind="solid" />}
+      </div>
+      {state.tool.value === 'paint-length' && (
+        <SliderField
+          label={t('ui.hair.length-brush')}
+          value={100 * state.hair.lengthBrush.value}
+          min={0}
+          max={200}
+          step={5}
+          digits={0}
+          onChange={(value) => {
+            state.hair.lengthBrush.value = Math.round(value) / 100;
+          }}
+        />
+      )}
       <SliderField
         label={t('ui.hair.variation')}
         value={own.variation}

@@ -3,6 +3,7 @@ import { t } from '../../app/i18n';
 import type { MergeSide } from '../../tools/merge/pins';
 import { useApp } from '../context';
 import { HeatLegend } from '../deform/heat-legend';
+import { LengthLegend } from '../hair/length-legend';
 import { ViewedBar } from '../hair/viewed-bar';
 import { MergeStage } from '../merge/merge-stage';
 import { ViewBar } from './view-bar';
@@ -26,7 +27,11 @@ export function Stage({ frames }: { frames: Frames }) {
       <ViewBar />
       <ViewedBar />
       {hint && !merging && !state.hair.viewed.value && <p class="hint">{t(hint)}</p>}
-      {state.heat.value && !merging && <HeatLegend />}
+      {state.tool.value === 'paint-length' ? (
+        <LengthLegend />
+      ) : (
+        state.heat.value && !merging && <HeatLegend />
+      )}
       {state.dropping.value && (
         <div class="drop">
           <p>{t(state.choosing.value ? 'ui.drop.part' : 'ui.drop')}</p>

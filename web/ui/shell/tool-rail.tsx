@@ -10,23 +10,23 @@ function extras(tool: ToolId): readonly string[] {
   switch (tool) {
     case 'paint-roi':
     case 'paint-handle':
+    case 'paint-scalp':
+    case 'paint-length':
       return ['brush.mirror', ...BRUSH];
     case 'select':
     case 'point-handle':
       return ['gizmo.move', 'gizmo.rotate', 'gizmo.scale'];
-    case 'paint-scalp':
-      return ['hair.mirror', ...BRUSH];
     case 'mark-region':
     case 'mark-feature':
       return ['merge.through', ...BRUSH];
     case 'merge-pins':
       return ['merge.remove-pin'];
     case 'hint':
-      return ['hair.mirror', 'hair.support-kind', 'hair.rebuild-support'];
+      return ['brush.mirror', 'hair.support-kind', 'hair.rebuild-support'];
     case 'ponytail':
-      return ['hair.mirror', 'hair.rebuild-support', 'hair.done'];
+      return ['brush.mirror', 'hair.rebuild-support', 'hair.done'];
     default:
-      return ['hair.mirror'];
+      return ['brush.mirror'];
   }
 }
 
