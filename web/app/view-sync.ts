@@ -123,7 +123,7 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
       viewport.setHeat(on && values ? { values, range: state.heatRange.value } : null);
     }),
     effect(() => {
-      if (state.tool.value === 'select' || state.tool.value === 'point-handle') viewport.setBrush(null);
+      if (!state.tool.value.startsWith('paint-')) viewport.setBrush(null);
     }),
   ];
   return {
