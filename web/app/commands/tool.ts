@@ -65,6 +65,8 @@ export function toolCommands({ state, deform, gestures }: CommandContext): Comma
       title: 'command.brush.mirror',
       icon: 'flip-horizontal-2',
       keys: ['M'],
+      // Two models to merge have no plane of symmetry in common.
+      enabled: () => state.workspace.value !== 'merge',
       checked: () => state.mirror.value,
       run: () => {
         state.mirror.value = !state.mirror.value;
