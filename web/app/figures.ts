@@ -92,20 +92,27 @@ function publish(state: State, evaluation: Evaluation | null): void {
   const isHair = evaluation.step.type === 'hair';
   state.hair.figures.value = isHair ? hairFigures(evaluation, state.hair.figures.peek()) : null;
   state.merge.figures.value = mergeFigures(evaluation);
-  state.warnings.value = warningsOf(evaluation);
+  state.warnings.value = warningsOf(evaluation, state);
   if (evaluation.step.type !== 'deform' || !report) {
     state.whatItDid.value = null;
     state.stretch.value = null;
   }
 }
 
-/** A head is open at the neck and has eyes: what its file is like is no news where hair is grown. */
-function warningsOf({ step, report, input }: Evaluation): readonly Finding[] {
+/**
+ * A head is open at the neck and has eyes: what its file is like is no news where hair is grown, nor is it where models
+ * are put together.
+ */
+function warningsOf({ step, report, input }: Evaluation, { merge }: State): readonly Finding[] {
   const all = report?.warnings ?? [];
-  if (step.type !== 'hair') return all;
-  const known = new Set(input.opened.findings.map(({ code }) => code));
-  return all.filter(({ code }) => !known.has(code));
+  if (step.type === 'deform') return all;
+  const given = step.type === 'merge' ? merge.sides.peek().source?.opened : input.opened;
+  const known = new Set(given?.findings.map(({ code }) => code));
+  return all.filter(({ code }) => !known.has(code) && !FOUND.includes(code));
 }
+
+/** What a merge reports of its own finds: the pins and the seam show it. */
+const FOUND = ['key-found', 'boundary-refined'];
 
 export function whatItDid(
   evaluation: Evaluation & { readonly step: DeformStep },

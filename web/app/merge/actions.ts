@@ -134,7 +134,6 @@ export class MergeActions implements MergeService {
     if (this.#step !== step) return;
     this.#apply(step, found);
     this.parts.state.merge.held.value = null;
-    this.parts.state.tool.value = 'merge-pins';
   }
 
   pickLoop(side: MergeSide, loop: Loop): void {
@@ -315,6 +314,7 @@ export class MergeActions implements MergeService {
 
   #apply(step: MergeStep, found: Meeting): void {
     if (found.kind === 'loops') {
+      this.parts.state.tool.value = 'merge-pins';
       this.#commit(t('history.merge.find'), withBoundaries(step, [...found.boundaries]));
       return;
     }

@@ -38,7 +38,7 @@ export function StepsPanel() {
           </li>
         ))}
       </ol>
-      <CommandButton command="step.apply" kind="solid" />
+      {state.workspace.value === 'deform' && <CommandButton command="step.apply" kind="solid" />}
     </Section>
   );
 }

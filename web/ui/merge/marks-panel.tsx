@@ -14,15 +14,21 @@ export function MarksPanel() {
   const waits = state.merge.held.value === step.id || !state.merge.figures.value;
   return (
     <Section title={t('ui.merge.marks')} aside={<CommandButton command="tool.mark-region" iconOnly />}>
-      <ul class="list">
-        {MARKS.map((mark) => (
-          <MarkRow key={mark} mark={mark} />
-        ))}
-      </ul>
-      <div class="buttons">
-        <CommandButton command="merge.run" kind={waits ? 'primary' : 'solid'} />
-        <CommandButton command="merge.cut" kind="solid" />
-      </div>
+      {step.boundaries.length > 0 ? (
+        <p class="muted">{t('ui.merge.joined')}</p>
+      ) : (
+        <ul class="list">
+          {MARKS.map((mark) => (
+            <MarkRow key={mark} mark={mark} />
+          ))}
+        </ul>
+      )}
+      {(step.boundaries.length === 0 || waits) && (
+        <div class="merge-go">
+          <CommandButton command="merge.run" kind={waits ? 'primary' : 'solid'} />
+        </div>
+      )}
+      {step.boundaries.length === 0 && <CommandButton command="merge.cut" kind="solid" />}
     </Section>
   );
 }

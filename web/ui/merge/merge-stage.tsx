@@ -63,10 +63,13 @@ const isPainted = ({ merge }: State, side: MergeSide): boolean => merge.paint.va
 function ResultLabel() {
   const { state } = useApp();
   const merged = state.merge.figures.value !== null && !state.choosing.value;
+  const before = state.merge.before.value && state.mergeStep.value?.optimalBoundary;
   const problem = state.merge.problem.value;
   return (
     <div class="result-label">
-      <p class="pane-label">{t(merged ? 'ui.merge.result' : 'ui.merge.result.none')}</p>
+      <p class="pane-label">
+        {merged ? t(before ? 'ui.merge.result.before' : 'ui.merge.result') : t('ui.merge.result.none')}
+      </p>
       {problem && (
         <p class="pane-label warn" role="alert">
           <Icon name="triangle-alert" />
