@@ -206,6 +206,8 @@ export interface GalleryEntry {
   readonly scalp?: boolean;
   /** Present for a finished example instead of a bare model. */
   readonly recipe?: string;
+  /** Of a finished example: where it is worked on. */
+  readonly workspace?: WorkspaceId;
 }
 
 export interface GalleryService {

@@ -66,6 +66,7 @@ export interface World {
 export interface BuiltApp extends App {
   readonly document: Document;
   readonly deform: DeformActions;
+  readonly merge: MergeActions;
   readonly keymap: Keymap;
   readonly autosave: Autosave;
   readonly gallery: Gallery;

@@ -7,6 +7,7 @@ import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
 import type { GalleryEntry, GalleryService } from './api';
 import { t } from './i18n';
+import type { WorkspaceId } from './state';
 
 interface Index {
   readonly models: readonly {
@@ -22,6 +23,8 @@ interface Index {
     readonly file: string;
     readonly title: string;
     readonly model: string;
+    /** Where it is worked on; hair where left out and its model is a head, else deform. */
+    readonly workspace?: WorkspaceId;
   }[];
 }
 
@@ -56,9 +59,10 @@ export class Gallery implements GalleryService {
   async start(): Promise<void> {
     const { models, examples } = await this.#list();
     const thumbnail = (name: string) => `${this.base}thumbnails/${name}.webp`;
-    const finished = examples.map(({ name, title, file, model }) => {
+    const finished = examples.map(({ name, title, file, model, ...example }) => {
       const { licence = '', vertices = 0, scalp = false } = models.find((each) => each.name === model) ?? {};
-      return { name, title, licence, vertices, scalp, thumbnail: thumbnail(name), recipe: file };
+      const workspace = example.workspace ?? (scalp ? 'hair' : 'deform');
+      return { name, title, licence, vertices, scalp, workspace, thumbnail: thumbnail(name), recipe: file };
     });
     const bare = models.map(({ name, title, licence, vertices, scalp = false }) => ({
       name,

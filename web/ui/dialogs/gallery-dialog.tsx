@@ -1,8 +1,11 @@
 import type { GalleryEntry } from '../../app/api';
 import { t } from '../../app/i18n';
+import type { WorkspaceId } from '../../app/state';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
 import { Dialog } from '../controls/dialog';
+
+const GROUPS: readonly WorkspaceId[] = ['deform', 'hair', 'merge'];
 
 export function GalleryDialog({ onClose }: { onClose: () => void }) {
   const { state, gallery, files, messages } = useApp();
@@ -13,7 +16,7 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
   };
   const group = (title: string, list: readonly GalleryEntry[]) =>
     list.length > 0 && (
-      <section>
+      <section key={title}>
         <h3 class="gallery-title">{title}</h3>
         <ul class="gallery">
           {list.map((entry) => (
@@ -29,11 +32,8 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
       </section>
     );
   // What is worked on comes first.
-  const inHair = state.workspace.value === 'hair';
-  const hairstyles = group(
-    t('ui.gallery.hairstyles'),
-    entries.filter((entry) => entry.recipe && entry.scalp),
-  );
+  const current = state.workspace.value;
+  const workspaces = [current, ...GROUPS.filter((id) => id !== current)];
   return (
     <Dialog
       wide
@@ -52,12 +52,12 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
         />
       }
     >
-      {inHair && hairstyles}
-      {group(
-        t('ui.gallery.examples'),
-        entries.filter((entry) => entry.recipe && !entry.scalp),
+      {workspaces.map((id) =>
+        group(
+          t(`ui.gallery.of.${id}`),
+          entries.filter((entry) => entry.recipe && entry.workspace === id),
+        ),
       )}
-      {!inHair && hairstyles}
       {group(
         t('ui.gallery.models'),
         entries.filter((entry) => !entry.recipe),
