@@ -3,6 +3,7 @@
 
 import { readFileSync, writeFileSync } from 'node:fs';
 import { hairExamples } from './gallery-hair.mjs';
+import { mergeExamples } from './gallery-merge.mjs';
 
 const folder = new URL('../public/gallery/', import.meta.url);
 const OWN = 'Own work, CC0 1.0';
@@ -15,6 +16,10 @@ const models = [
   ['horse', 'Horse', OWN],
   ['cow', 'Cow', OWN],
   ['bar', 'Bar', OWN],
+  ['wings', 'Wings', OWN],
+  ['key', 'Key', OWN],
+  ['pipes', 'Pipes', OWN],
+  ['block', 'Block', OWN],
   ['body-female', 'Body, female', HUMAN],
   ['body-male', 'Body, male', HUMAN],
   ['head-female', 'Head, female', HUMAN],
@@ -188,6 +193,7 @@ const examples = [
   ['critter-waving', 'Critter, waving', 'critter', critter()],
   ['bar-twisted', 'Bar, twisted', 'bar', bar()],
   ['octopus-curled', 'Octopus, curled up', 'octopus', octopus()],
+  ...mergeExamples(folder),
   ...hairExamples(folder),
 ];
 
@@ -208,9 +214,9 @@ const index = {
 };
 writeFileSync(new URL('index.json', folder), `${JSON.stringify(index, null, 2)}\n`);
 for (const [name, , , made] of [['first', '', '', dinosaur()], ...examples]) {
-  const { roi, handles, streams } = made.steps[0];
-  if (streams) {
-    console.log(name, 'streams', streams.length);
+  const { type, roi, handles, streams, boundaries } = made.steps[0];
+  if (type !== 'deform') {
+    console.log(name, streams ? `streams ${streams.length}` : `openings ${boundaries?.length ?? 'found'}`);
     continue;
   }
   const size = (set) =>

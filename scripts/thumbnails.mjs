@@ -6,6 +6,8 @@ import { bare, cameraOnHair, drawn, openStudio } from './lib/studio.mjs';
 
 const gallery = new URL('../public/gallery/', import.meta.url);
 const SIZE = { width: 512, height: 384 };
+/** Of light and shade, for models; hair, thousands of strands, is drawn once. */
+const SAMPLES = 2;
 /** The page around the viewport included, so that a model is framed for the picture's shape. */
 const PAGE = { width: 2 * SIZE.width + 48 + 300, height: 2 * SIZE.height + 44 + 26 };
 
@@ -21,10 +23,10 @@ await pictures(
 );
 await pictures(all.filter(isHair), true);
 
-/** @param ofHair  thousands of strands: seen from the front, and drawn once only */
+/** @param ofHair  seen from the front, where the hair is */
 async function pictures(entries, ofHair) {
   if (entries.length === 0) return;
-  const { page, close } = await openStudio(PAGE, { quick: ofHair });
+  const { page, close } = await openStudio(PAGE, { quick: true });
   page.setDefaultTimeout(300_000);
   try {
     for (const { name } of entries) {
@@ -36,7 +38,7 @@ async function pictures(entries, ofHair) {
       // A card needs less air around a model than a gizmo does.
       await page.evaluate(bare, { distance: 0.87 });
       if (ofHair) await page.evaluate(cameraOnHair);
-      const picture = await page.evaluate(drawn, SIZE);
+      const picture = await page.evaluate(drawn, { ...SIZE, samples: ofHair ? 1 : SAMPLES });
       writeFileSync(new URL(`thumbnails/${name}.webp`, gallery), Buffer.from(picture, 'base64'));
       console.log(name);
     }

@@ -47,9 +47,9 @@ export async function openStudio(size, { quick = false, port = 5187 } = {}) {
 }
 
 /** In the page: a picture of the viewport alone, drawn larger and scaled down. @returns base64 of a WebP file */
-export async function drawn({ width, height, quality = 0.85 }) {
+export async function drawn({ width, height, samples, quality = 0.85 }) {
   const { viewport } = window.__lissom.app;
-  const image = await createImageBitmap(await viewport.screenshot(2 * width, 2 * height));
+  const image = await createImageBitmap(await viewport.screenshot(2 * width, 2 * height, { samples }));
   const canvas = new OffscreenCanvas(width, height);
   const context = canvas.getContext('2d');
   context.imageSmoothingQuality = 'high';

@@ -4,6 +4,7 @@
 #include "lissom/merge/ring_cycle.h"
 #include "lissom/merge/surface_paths.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/operators.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,18 @@ public:
     Energy(const RegionMaps& maps, const Placement& placement) : maps_(maps), locator_(maps.disk_map, maps.disk.triangles) {
         outline_ = placement(maps.ring_map);
         images_.resize(maps.ring.vertex_count(), 3);
+        normals_ = vertex_normals(maps.ring);
+        image_normals_ = Points::Zero(maps.ring.vertex_count(), 3);
+        const Points disk_normals = vertex_normals(maps.disk);
         for (int v = 0; v < maps.ring.vertex_count(); ++v) {
             places_.push_back(locator_.locate(outline_.row(v).transpose()));
             images_.row(v).setZero();
             if (const PlanePlace& place = places_.back(); place.triangle >= 0)
-                for (int c = 0; c < 3; ++c) images_.row(v) += place.weight[c] * maps.disk.points.row(maps.disk.triangles(place.triangle, c));
+                for (int c = 0; c < 3; ++c) {
+                    images_.row(v) += place.weight[c] * maps.disk.points.row(maps.disk.triangles(place.triangle, c));
+                    image_normals_.row(v) += place.weight[c] * disk_normals.row(maps.disk.triangles(place.triangle, c));
+                }
+            image_normals_.row(v).stableNormalize();
         }
     }
 
@@ -37,8 +45,9 @@ public:
 
     [[nodiscard]] double of_edge(int a, int b, const Matrix3d& A) const {
         if (!is_inside(a) || !is_inside(b)) return std::numeric_limits<double>::infinity();
-        const Vector3d e = edge(maps_.ring.points, a, b);
-        return (A * e - edge(images_, a, b)).norm() * e.norm();
+        const Vector3d e = edge(maps_.ring.points, a, b), n = normal(normals_, a, b, e.norm()), image = normal(image_normals_, a, b, 1);
+        const Vector3d turned = A * n - (A * n).norm() * image;
+        return std::sqrt((A * e - edge(images_, a, b)).squaredNorm() + turned.squaredNorm()) * e.norm();
     }
     [[nodiscard]] double of_loop(const std::vector<int>& loop, const Matrix3d& A) const {
         double sum = 0;
@@ -88,19 +97,28 @@ public:
 private:
     [[nodiscard]] static Vector3d edge(const Points& points, int a, int b) { return (points.row(b) - points.row(a)).transpose(); }
 
+    /// Of an edge: the mean of its ends', of the length given.
+    [[nodiscard]] static Vector3d normal(const Points& normals, int a, int b, double length) {
+        const Vector3d sum = (normals.row(a) + normals.row(b)).transpose();
+        return sum.norm() > 0 ? Vector3d(sum * (length / sum.norm())) : Vector3d(Vector3d::Zero());
+    }
+
     [[nodiscard]] Similarity reweighted(const std::vector<int>& loop, const Similarity& map) const {
-        Matrix3d C = Matrix3d::Zero();
+        Matrix3d C = Matrix3d::Zero(), N = Matrix3d::Zero();
         double spread = 0, mean = 0;
         for (std::size_t i = 0; i < loop.size(); ++i) mean += edge(images_, loop[i], loop[(i + 1) % loop.size()]).norm() / static_cast<double>(loop.size());
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const Vector3d e = edge(maps_.ring.points, loop[i], loop[(i + 1) % loop.size()]), image = edge(images_, loop[i], loop[(i + 1) % loop.size()]);
-            const double weight = e.norm() / std::max((linear(map) * e - image).norm(), 1e-9 * mean);
+            const Vector3d n = normal(normals_, loop[i], loop[(i + 1) % loop.size()], e.norm()), image_n = normal(image_normals_, loop[i], loop[(i + 1) % loop.size()], map.scale * e.norm());
+            const double error = std::sqrt((linear(map) * e - image).squaredNorm() + (linear(map) * n - image_n).squaredNorm());
+            const double weight = e.norm() / std::max(error, 1e-9 * mean);
             C += weight * image * e.transpose();
+            N += weight * image_n * n.transpose();
             spread += weight * e.squaredNorm();
         }
         Similarity next = map;
         if (!(spread > 0)) return next;
-        next.rotation = nearest_rotation(C);
+        next.rotation = nearest_rotation(C + N);
         const double scale = next.rotation.cwiseProduct(C).sum() / spread;
         if (scale > 0) next.scale = scale;
         return next;
@@ -110,7 +128,7 @@ private:
     PlaneLocator locator_;
     PlanePoints outline_;
     std::vector<PlanePlace> places_;
-    Points images_;
+    Points images_, normals_, image_normals_;
 };
 
 } // namespace

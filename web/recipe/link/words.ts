@@ -23,5 +23,7 @@ export const WORDS: readonly string[] =
     // more of hair
     'length max variation map factor volume curlLength flyaways material color melanin redness colorVariation thickness taper ' +
     // more of merge
-    'sourceKeep targetKeep pose shift turn'
+    'sourceKeep targetKeep pose shift turn ' +
+    // more built-in models
+    'wings key pipes block'
   ).split(' ');
