@@ -489,13 +489,13 @@ export class Viewport implements ViewportPort {
     const brush = brushRadius.value;
     brushRadius.value = 0;
     this.#gizmo.visible = false;
-    this.#hair.showAids(false);
+    this.#hair.setKept(true);
     this.#size(width, height, 1);
     this.#stage.prepare(this.#view?.geometry);
     draw();
     brushRadius.value = brush;
     this.#gizmo.visible = true;
-    this.#hair.showAids(true);
+    this.#hair.setKept(false);
     this.#size(w, h, this.#pixelRatio);
     if (!this.#rest.drawAgain()) this.#draw();
   }

@@ -1,5 +1,12 @@
 import { describe, expect, test } from 'vitest';
-import { firstShare, nextShare, prefixOf, WIDEST } from '../../../web/view/hair/lod';
+import {
+  drawsInSoftware,
+  firstShare,
+  nextShare,
+  prefixOf,
+  restShare,
+  WIDEST,
+} from '../../../web/view/hair/lod';
 import { jitter } from '../../../web/view/hair/still';
 
 describe('a prefix of the strands', () => {
@@ -21,11 +28,25 @@ describe('a prefix of the strands', () => {
 
 describe('the share while moving', () => {
   test('falls when pictures are late, down to a floor, and returns when they are early', () => {
-    let share = firstShare(100_000);
+    let share = firstShare(100_000, false);
     for (let i = 0; i < 20; i++) share = nextShare(share, 200, 100_000);
     expect(share).toBeCloseTo(0.02);
     for (let i = 0; i < 60; i++) share = nextShare(share, 8, 100_000);
     expect(share).toBe(1);
+  });
+
+  test('falls at once when one picture takes seconds', () => {
+    expect(nextShare(1, 4000, 100_000)).toBeCloseTo(0.02);
+  });
+
+  test('is small from the start where there is no graphics card, and at rest too', () => {
+    const share = firstShare(20_000, true);
+    expect(share).toBeCloseTo(0.1);
+    expect(restShare(share, true)).toBeCloseTo(0.2);
+    expect(restShare(share, false)).toBe(1);
+    const gl = (name: string) => ({ getExtension: () => null, getParameter: () => name }) as never;
+    expect(drawsInSoftware(gl('ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)))'))).toBe(true);
+    expect(drawsInSoftware(gl('ANGLE (Apple, Apple M1 Pro, OpenGL 4.1)'))).toBe(false);
   });
 
   test('rests between', () => {

@@ -12,7 +12,7 @@ import { ViewSpace } from '../view-space';
 import { CurveOverlay } from './curves';
 import { GuideOverlay } from './guides';
 import { HairView, type Head } from './hair-view';
-import { firstShare, nextShare } from './lod';
+import { drawsInSoftware, firstShare, nextShare, restShare } from './lod';
 import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './types';
 
 /** So many strands say how much room hair takes in the picture. */
@@ -27,14 +27,17 @@ export class HairLayer {
   #strands: Strands | null = null;
   #model: ModelView | undefined;
   #space = ViewSpace.identity;
+  readonly #software: boolean;
   #fixedShare: number | null = null;
   #share = 1;
+  #whole = false;
 
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly test: boolean,
   ) {
     this.#hair = new HairView(!test);
+    this.#software = drawsInSoftware(renderer.getContext());
     this.group.add(this.#hair.mesh, this.#guides.group, this.#curves.group);
   }
 
@@ -82,17 +85,18 @@ export class HairLayer {
       return;
     }
     this.#hair.set(strands, this.#space, this.#head(), this.renderer.capabilities.maxTextureSize);
-    if (had !== this.#hair.total) this.#share = firstShare(this.#hair.total);
+    if (had !== this.#hair.total) this.#share = firstShare(this.#hair.total, this.#software);
   }
 
   setOptions(options: Partial<HairOptions>): void {
     this.#hair.setOptions(options);
   }
 
-  /** Curves, field, volume and supporting surface: not part of a picture to keep. */
-  showAids(shown: boolean): void {
-    this.#curves.group.visible = shown;
-    this.#guides.group.visible = shown;
+  /** A picture to keep has every strand, and no curves, field, volume or supporting surface. */
+  setKept(kept: boolean): void {
+    this.#whole = kept;
+    this.#curves.group.visible = !kept;
+    this.#guides.group.visible = !kept;
   }
 
   setShare(share: number | null): void {
@@ -136,10 +140,14 @@ export class HairLayer {
 
   /** @param frame  number of a picture at rest, from 1; 0: a moving one */
   prepare(camera: PerspectiveCamera | OrthographicCamera, frame: number): void {
-    const adaptive = frame > 0 || this.test ? 1 : this.#share;
-    this.#hair.setShare(this.#fixedShare ?? adaptive);
+    this.#hair.setShare(this.#fixedShare ?? this.#shareOf(frame));
     // In tests every picture is a finished one.
     this.#hair.prepare(this.renderer, camera, this.test ? Math.max(1, frame) : frame, this.#model?.geometry);
+  }
+
+  #shareOf(frame: number): number {
+    if (this.#whole || this.test) return 1;
+    return frame > 0 ? restShare(this.#share, this.#software) : this.#share;
   }
 
   dispose(): void {

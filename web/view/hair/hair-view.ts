@@ -89,6 +89,8 @@ export class HairView {
   #width = 0;
   #options: HairOptions = { show: true, shading: 'natural', widthScale: 1 };
   #share = 1;
+  /** Strands in the opacity map. */
+  #shadowing = 0;
   #stale = false;
   #unbaked: Unbaked | undefined;
   #baked = false;
@@ -197,13 +199,15 @@ export class HairView {
     this.#frame.frame.value = frame;
     // While a stroke is drawn the light of a moment ago will do.
     if (this.#unbaked && (frame > 0 || !this.#baked)) this.#bake(this.#unbaked);
-    if (this.#stale) {
-      this.#draw(prefixOf(this.#total, SHADOW_STRANDS / this.#total));
+    const prefix = prefixOf(this.#total, this.#share);
+    const shadowing = Math.min(SHADOW_STRANDS, prefix.count);
+    if (this.#stale || (frame > 0 && shadowing > this.#shadowing)) {
+      this.#draw(prefixOf(this.#total, shadowing / this.#total));
       this.#opacity.update(renderer, this.#box, KEY_LIGHT.towards, head);
       this.#strandLight.changed();
+      this.#shadowing = shadowing;
       this.#stale = false;
     }
-    const prefix = prefixOf(this.#total, this.#share);
     const wanted = Math.ceil((prefix.count * this.#ribbon.perStrand.value) / ROW);
     this.#strandLight.update(renderer, camera, this.#points.image.height, wanted);
     this.#draw(prefix);

@@ -8,6 +8,10 @@ const TARGET = 20;
 const FEWEST = 2000;
 /** Drawn before anything is known about the machine's speed. */
 const FIRST = 20_000;
+/** A moving picture that took so many times too long gets its share at once, not step by step. */
+const FAR_OFF = 8;
+/** Without a graphics card a picture at rest has so many times the strands of a moving one. */
+const AT_REST_IN_SOFTWARE = 2;
 
 export interface Prefix {
   readonly count: number;
@@ -23,7 +27,22 @@ export function prefixOf(total: number, share: number): Prefix {
   return { count, widthScale: Math.min(WIDEST, total / count) };
 }
 
-export const firstShare = (total: number): number => (total <= FIRST ? 1 : FIRST / total);
+/** @param software  the pictures are drawn without a graphics card */
+export function firstShare(total: number, software: boolean): number {
+  const first = software ? FEWEST : FIRST;
+  return total <= first ? 1 : first / total;
+}
+
+/** The share for pictures at rest: all strands, unless one picture of them would keep the page from answering. */
+export const restShare = (share: number, software: boolean): number =>
+  software ? Math.min(1, AT_REST_IN_SOFTWARE * share) : 1;
+
+/** Whether the browser draws on the processor: a hundred times slower than any graphics card. */
+export function drawsInSoftware(gl: WebGLRenderingContext | WebGL2RenderingContext): boolean {
+  const info = gl.getExtension('WEBGL_debug_renderer_info');
+  const name = String(gl.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : gl.RENDERER));
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
 
 /**
  * The share for the next moving picture.
@@ -32,6 +51,7 @@ export const firstShare = (total: number): number => (total <= FIRST ? 1 : FIRST
  */
 export function nextShare(share: number, elapsed: number, total: number): number {
   const least = total > 0 ? Math.min(1, FEWEST / total) : 1;
+  if (elapsed > FAR_OFF * TARGET) return Math.max(least, (share * TARGET) / elapsed);
   if (elapsed > 1.25 * TARGET) return Math.max(least, share * Math.max(0.5, TARGET / elapsed));
   if (elapsed < 0.9 * TARGET) return Math.min(1, share * 1.12);
   return share;

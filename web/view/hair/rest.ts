@@ -1,4 +1,5 @@
 import type { OrthographicCamera, PerspectiveCamera, WebGLRenderer } from 'three';
+import { drawsInSoftware } from './lod';
 import { StillPicture } from './still';
 
 /** Nothing has moved for so many ms: the picture may be perfected. */
@@ -12,6 +13,7 @@ const FEWEST = 4;
 export class Rest {
   readonly #still = new StillPicture();
   #timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #pictures: number;
   #due = false;
   #since = 0;
 
@@ -19,7 +21,9 @@ export class Rest {
   constructor(
     private readonly renderer: WebGLRenderer,
     private readonly request: () => void,
-  ) {}
+  ) {
+    this.#pictures = drawsInSoftware(renderer.getContext()) ? FEWEST : PICTURES;
+  }
 
   /** The next picture is one of many that make a resting one. */
   get due(): boolean {
@@ -45,7 +49,7 @@ export class Rest {
   draw(camera: PerspectiveCamera | OrthographicCamera, render: (frame: number) => void): void {
     this.#still.take(this.renderer, camera, render);
     const spent = performance.now() - this.#since;
-    this.#due = this.#still.count < (spent < PATIENCE ? PICTURES : FEWEST);
+    this.#due = this.#still.count < (spent < PATIENCE ? this.#pictures : FEWEST);
     if (this.#due) this.request();
   }
 
