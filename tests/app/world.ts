@@ -125,6 +125,7 @@ export class FakeKernel implements KernelPort {
       };
     },
     hairField: () => ({ places: new Float32Array(3), vectors: new Float32Array(3) }),
+    hairConstraints: () => ({ places: new Float32Array(6), vectors: new Float32Array(6) }),
     release: () => {},
   };
 }

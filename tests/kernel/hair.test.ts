@@ -105,6 +105,28 @@ test('the field can be shown: unit-sized arrows near the strokes', async () => {
   expect(vectors.every(Number.isFinite)).toBe(true);
 });
 
+test('what the field was asked for can be shown, and the field goes nearly that way there', async () => {
+  const hair = await head();
+  const { constraints } = await kernel.call('styleHair', { hair, style: style(combedDown()) });
+  const asked = await kernel.call('hairConstraints', { hair });
+  expect(asked.places).toHaveLength(3 * constraints);
+  expect(asked.vectors).toHaveLength(3 * constraints);
+  const field = await kernel.call('hairField', { hair, stride: 1 });
+  const at = new Map<string, number>();
+  for (let i = 0; i < field.places.length; i += 3) at.set(field.places.subarray(i, i + 3).join(), i);
+  let worst = 0;
+  for (let i = 0; i < asked.places.length; i += 3) {
+    const node = at.get(asked.places.subarray(i, i + 3).join())!;
+    const along = [0, 1, 2].map((k) => asked.vectors[i + k]!);
+    const off = [0, 1, 2].map((k) => field.vectors[node + k]! - along[k]!);
+    worst = Math.max(worst, Math.hypot(...off) / Math.hypot(...along));
+  }
+  expect(worst).toBeLessThan(0.05);
+
+  await kernel.call('styleHair', { hair, style: NO_STYLE });
+  expect((await kernel.call('hairConstraints', { hair })).places).toHaveLength(0);
+});
+
 test('growing reports progress and stops when asked; a style change meanwhile does no harm', async () => {
   const hair = await head();
   await kernel.call('styleHair', { hair, style: style(combedDown()) });

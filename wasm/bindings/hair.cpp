@@ -114,32 +114,55 @@ val style(HeldHair& held, const val& given) {
         seconds.set("update", held.session.update_seconds());
         seconds.set("field", held.session.field_seconds());
         val result = val::object();
-        result.set("constraints", held.session.constraints());
+        result.set("constraints", held.session.constraints().size());
         result.set("warnings", findings(held.session.warnings()));
         result.set("seconds", seconds);
         return result;
     });
 }
 
-// field(stride) → FieldVectors of web/kernel/contract.ts: every stride-th node per axis
-val field(const HeldHair& held, int stride) {
-    return guarded([&] {
-        if (stride < 1) throw lissom::InvalidInput("bad-option", "The stride of a field's picture is 1 or more.");
-        const lissom::VectorField& t = held.session.field();
-        std::vector<float> places, vectors;
-        for (int node = 0; node < t.grid.count(); ++node) {
-            const Eigen::Vector3i cell = t.grid.cell(node);
-            if (cell.x() % stride || cell.y() % stride || cell.z() % stride) continue;
-            const Eigen::Vector3d p = t.grid.position(node) + held.session.origin();
-            for (int d = 0; d < 3; ++d) {
-                places.push_back(static_cast<float>(p[d]));
-                vectors.push_back(static_cast<float>(t.vectors(node, d) * t.grid.step * stride));
-            }
+/// FieldVectors of web/kernel/contract.ts under construction: arrows of one grid.
+struct Arrows {
+    const HeldHair& held;
+    double unit; ///< length of a vector of length 1, head units
+    std::vector<float> places, vectors;
+
+    void add(int node, const Eigen::Vector3d& vector) {
+        const Eigen::Vector3d p = held.session.volume().field.position(node) + held.session.origin();
+        for (int d = 0; d < 3; ++d) {
+            places.push_back(static_cast<float>(p[d]));
+            vectors.push_back(static_cast<float>(vector[d] * unit));
         }
+    }
+    [[nodiscard]] val take() const {
         val result = val::object();
         result.set("places", typed_array(places.data(), places.size()));
         result.set("vectors", typed_array(vectors.data(), vectors.size()));
         return result;
+    }
+};
+
+// field(stride) → FieldVectors: every stride-th node per axis
+val field(const HeldHair& held, int stride) {
+    return guarded([&] {
+        if (stride < 1) throw lissom::InvalidInput("bad-option", "The stride of a field's picture is 1 or more.");
+        const lissom::VectorField& t = held.session.field();
+        Arrows arrows{held, t.grid.step * stride, {}, {}};
+        for (int node = 0; node < t.grid.count(); ++node) {
+            const Eigen::Vector3i cell = t.grid.cell(node);
+            if (cell.x() % stride || cell.y() % stride || cell.z() % stride) continue;
+            arrows.add(node, t.vectors.row(node).transpose());
+        }
+        return arrows.take();
+    });
+}
+
+// constraints() → FieldVectors: what the field was asked for, one grid step long
+val constraints(const HeldHair& held) {
+    return guarded([&] {
+        Arrows arrows{held, held.session.volume().field.step, {}, {}};
+        for (const lissom::FieldConstraint& c : held.session.constraints()) arrows.add(c.node, c.vector);
+        return arrows.take();
     });
 }
 
@@ -219,7 +242,8 @@ EMSCRIPTEN_BINDINGS(hair) {
         .function("fraction", &prepared)
         .function("describe", &describe)
         .function("style", &style)
-        .function("field", &field);
+        .function("field", &field)
+        .function("constraints", &constraints);
     class_<HeldGrowth>("HairGrowth")
         .constructor(&grow, allow_raw_pointers())
         .function("step", &grow_on)

@@ -93,6 +93,7 @@ export interface WasmHairSession extends WasmObject {
   describe(): Omit<OpenedHair, 'hair' | 'peakBytes'>;
   style(style: HairStyle): StyledHair;
   field(stride: number): FieldVectors;
+  constraints(): FieldVectors;
 }
 
 export interface WasmHairGrowth extends WasmObject {

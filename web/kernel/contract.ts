@@ -356,6 +356,9 @@ export interface Kernel {
   /** The field of the last style, at every `stride`-th node along each axis. */
   hairField(args: { hair: HairId; stride: number }): FieldVectors;
 
+  /** What the field of the last style was asked for: vectors of the style, then those of the scalp, a grid step long. */
+  hairConstraints(args: { hair: HairId }): FieldVectors;
+
   /** Frees a model or a session. Unknown ids are ignored, so it is safe in any clean-up. */
   release(args: { id: ModelId | DeformId | MergeId | HairId }): void;
 }

@@ -260,6 +260,11 @@ export class Viewport implements ViewportPort {
     this.#redraw();
   }
 
+  setConstraints(constraints: FieldSample | null): void {
+    this.#hair.setConstraints(constraints);
+    this.#redraw();
+  }
+
   setVolume(box: Box | null): void {
     this.#hair.setVolume(box);
     this.#redraw();

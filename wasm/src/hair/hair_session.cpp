@@ -74,7 +74,8 @@ struct HairSession::State {
     std::unique_ptr<IterativeField> many_alone, many_whole;
     std::shared_ptr<const StyledField> style;
     std::vector<Finding> warnings;
-    int constraint_count = 0, stage = 0;
+    std::vector<FieldConstraint> constraints; // of the last style, then of the scalp
+    int stage = 0;
     double prepare = 0, update = 0, field = 0;
 };
 
@@ -139,7 +140,7 @@ void HairSession::set_style(const HairStyle& given) {
                                                             wanted.empty()});
     if (wanted.empty()) {
         warnings.push_back({"style-empty", 1, {}, false});
-        s.constraint_count = 0;
+        s.constraints.clear();
         s.update = updating.lap();
         s.field = 0;
     } else {
@@ -164,7 +165,7 @@ void HairSession::set_style(const HairStyle& given) {
             if (!asked[static_cast<std::size_t>(c.node)]) both.push_back(c);
         FieldSolver& solver = dense ? static_cast<FieldSolver&>(*s.whole) : *s.many_whole;
         solver.set_constraints(both);
-        s.constraint_count = static_cast<int>(both.size());
+        s.constraints = std::move(both);
         s.update = updating.lap();
         Stopwatch solving;
         styled->field.vectors = solver.field();
@@ -259,7 +260,7 @@ void HairSession::Growth::add(const Strand& strand) {
 const Vector3d& HairSession::origin() const { return state_->head->origin; }
 const HairVolume& HairSession::volume() const { return state_->head->volume; }
 const VectorField& HairSession::field() const { return state_->style->field; }
-int HairSession::constraints() const { return state_->constraint_count; }
+const std::vector<FieldConstraint>& HairSession::constraints() const { return state_->constraints; }
 const std::vector<Finding>& HairSession::warnings() const { return state_->warnings; }
 double HairSession::prepare_seconds() const { return state_->prepare; }
 double HairSession::update_seconds() const { return state_->update; }

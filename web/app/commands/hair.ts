@@ -168,6 +168,7 @@ export function hairCommands({ state, document, hair, gestures, viewport }: Comm
     show('curves', 'spline', ['C']),
     show('support', 'layers'),
     show('field', 'move'),
+    show('constraints', 'crosshair'),
     show('volume', 'box'),
   ];
 }

@@ -1,4 +1,4 @@
-// The field and the volume of the open hair step, drawn when they are asked for.
+// Field, constraints and volume of the open hair step, drawn when they are asked for.
 
 import { effect } from '@preact/signals';
 import { Latest } from '../../core/latest';
@@ -23,8 +23,9 @@ interface Parts {
 /** @returns the function that ends it */
 export function syncField({ viewport, state, evaluator, runner, failed }: Parts): () => void {
   const draw = (field: HairField | null): void => {
-    const { field: arrows, volume } = state.hair.show.peek();
+    const { field: arrows, constraints, volume } = state.hair.show.peek();
     viewport.setField(field && arrows ? field : null);
+    viewport.setConstraints(field && constraints ? field.constraints : null);
     viewport.setVolume(field && volume ? { low: field.low, high: field.high } : null);
   };
   const fetches = new Latest<{ readonly recipe: Recipe; readonly step: string }, HairField>({
@@ -34,8 +35,8 @@ export function syncField({ viewport, state, evaluator, runner, failed }: Parts)
   });
   const stop = effect(() => {
     const evaluation = evaluator.result.value;
-    const { field, volume } = state.hair.show.value;
-    if (evaluation?.step.type !== 'hair' || !evaluation.report || !(field || volume)) {
+    const { field, constraints, volume } = state.hair.show.value;
+    if (evaluation?.step.type !== 'hair' || !evaluation.report || !(field || constraints || volume)) {
       fetches.cancel();
       draw(null);
     } else fetches.push({ recipe: evaluation.recipe, step: evaluation.step.id });

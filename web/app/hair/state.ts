@@ -18,6 +18,7 @@ export interface HairShow {
   readonly curves: boolean;
   readonly support: boolean;
   readonly field: boolean;
+  readonly constraints: boolean;
   readonly volume: boolean;
 }
 
@@ -39,6 +40,7 @@ export class HairState {
     curves: true,
     support: true,
     field: false,
+    constraints: false,
     volume: false,
   });
   readonly shading = signal<HairOptions['shading']>('natural');

@@ -7,7 +7,7 @@ import type { Registry } from './registry';
 export function hairHandlers(
   wasm: KernelModule,
   registry: Registry,
-): Pick<Handlers, 'openHair' | 'styleHair' | 'growHair' | 'hairField'> {
+): Pick<Handlers, 'openHair' | 'styleHair' | 'growHair' | 'hairField' | 'hairConstraints'> {
   return {
     async openHair({ model, scalp, resolution, up }, job) {
       const session = new wasm.HairSession(registry.get(model, wasm.WorkingMesh), scalp, resolution, up);
@@ -40,5 +40,7 @@ export function hairHandlers(
     },
 
     hairField: ({ hair, stride }) => registry.get(hair, wasm.HairSession).field(stride),
+
+    hairConstraints: ({ hair }) => registry.get(hair, wasm.HairSession).constraints(),
   };
 }

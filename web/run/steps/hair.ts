@@ -97,13 +97,18 @@ async function styleHead(step: HairStep, { inputs, kernel, signal: stop, onProgr
 }
 
 /** What a hair step's strands follow, and the volume they may fill. */
-export interface HairField extends FieldVectors, Pick<OpenedHair, 'grid' | 'low' | 'high'> {}
+export interface HairField extends FieldVectors, Pick<OpenedHair, 'grid' | 'low' | 'high'> {
+  /** What the field was asked for: by the style, then by the scalp. */
+  readonly constraints: FieldVectors;
+}
 
 export async function hairField(step: HairStep, context: StepContext, stride: number): Promise<HairField> {
   const { opened } = await styleHead(step, context);
   const { grid, low, high, hair } = opened;
   const signal = context.signal ? { signal: context.signal } : {};
-  return { grid, low, high, ...(await context.kernel.call('hairField', { hair, stride }, signal)) };
+  const field = await context.kernel.call('hairField', { hair, stride }, signal);
+  const constraints = await context.kernel.call('hairConstraints', { hair }, signal);
+  return { grid, low, high, constraints, ...field };
 }
 
 /** What the field depends on. Names and hiding are for the eye only. */

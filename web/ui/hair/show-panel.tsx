@@ -11,7 +11,7 @@ export function ShowPanel() {
   return (
     <Section title={t('ui.hair.show')} closed>
       <div class="buttons">
-        {(['hair', 'curves', 'support', 'field', 'volume'] as const).map((what) => (
+        {(['hair', 'curves', 'support', 'field', 'constraints', 'volume'] as const).map((what) => (
           <CommandButton key={what} command={`hair.show-${what}`} kind="solid" />
         ))}
       </div>

@@ -8,15 +8,18 @@ import type { Box, FieldSample, SupportSurface } from './types';
 const ARROW = 3;
 const EDGE = 1.25;
 const BOX_COLOUR = '#98a2ae';
+const CONSTRAINT_COLOUR = '#e3b341';
 const SUPPORT_COLOUR = '#4f8cff';
 
 /** What can be shown of how the hair comes about: field, volume, the surface that strokes fall on. */
 export class GuideOverlay {
   readonly group = new Group();
   readonly #arrows = new SegmentLines({ hidden: 0, order: 10, arrows: true });
+  readonly #asked = new SegmentLines({ hidden: 0, order: 11, arrows: true });
   readonly #edges = new SegmentLines({ hidden: 0.4, order: 12 });
   readonly #support = new Mesh(new BufferGeometry(), supportMaterial());
   #field: FieldSample | null = null;
+  #constraints: FieldSample | null = null;
   #box: Box | null = null;
   #surface: SupportSurface | null = null;
 
@@ -24,12 +27,18 @@ export class GuideOverlay {
     this.#support.visible = false;
     this.#support.frustumCulled = false;
     this.#support.renderOrder = 8;
-    this.group.add(this.#arrows.group, this.#edges.group, this.#support);
+    this.group.add(this.#arrows.group, this.#asked.group, this.#edges.group, this.#support);
   }
 
   setField(field: FieldSample | null, space: ViewSpace): void {
     this.#field = field;
     this.#arrows.set(field ? arrows(field, space) : NOTHING);
+  }
+
+  setConstraints(constraints: FieldSample | null, space: ViewSpace): void {
+    this.#constraints = constraints;
+    const colour = new Color(CONSTRAINT_COLOUR).convertLinearToSRGB();
+    this.#asked.set(constraints ? arrows(constraints, space, () => colour) : NOTHING);
   }
 
   setVolume(box: Box | null, space: ViewSpace): void {
@@ -53,12 +62,13 @@ export class GuideOverlay {
   /** Draws the same in another space. */
   place(space: ViewSpace): void {
     this.setField(this.#field, space);
+    this.setConstraints(this.#constraints, space);
     this.setVolume(this.#box, space);
     this.setSupport(this.#surface, space);
   }
 
   setSize(width: number, height: number, pixelRatio: number): void {
-    for (const lines of [this.#arrows, this.#edges]) {
+    for (const lines of [this.#arrows, this.#asked, this.#edges]) {
       lines.setSize(width, height);
       lines.setPixelRatio(pixelRatio);
     }
@@ -66,6 +76,7 @@ export class GuideOverlay {
 
   dispose(): void {
     this.#arrows.dispose();
+    this.#asked.dispose();
     this.#edges.dispose();
     this.#support.geometry.dispose();
     this.#support.material.dispose();
@@ -75,7 +86,14 @@ export class GuideOverlay {
 const NOTHING = { ends: new Float32Array(), looks: new Float32Array() };
 
 /** Long arrows warm, short ones cool. */
-function arrows({ places, vectors }: FieldSample, space: ViewSpace): typeof NOTHING {
+const byLength = (share: number): Color => new Color(...heatColour(share)).convertLinearToSRGB();
+
+/** @param colourOf  by length, as a share of the longest */
+function arrows(
+  { places, vectors }: FieldSample,
+  space: ViewSpace,
+  colourOf: (share: number) => Color = byLength,
+): typeof NOTHING {
   const count = Math.floor(Math.min(places.length, vectors.length) / 3);
   const lengths = Float64Array.from({ length: count }, (_, i) =>
     Math.hypot(vectors[3 * i]!, vectors[3 * i + 1]!, vectors[3 * i + 2]!),
@@ -87,8 +105,7 @@ function arrows({ places, vectors }: FieldSample, space: ViewSpace): typeof NOTH
     const [x, y, z] = [places[3 * i]!, places[3 * i + 1]!, places[3 * i + 2]!];
     const tip = [x + vectors[3 * i]!, y + vectors[3 * i + 1]!, z + vectors[3 * i + 2]!] as const;
     ends.set([...space.toView([x, y, z]), ...space.toView(tip)], 6 * i);
-    const colour = new Color(...heatColour(lengths[i]! / longest)).convertLinearToSRGB();
-    looks.set([...colour, ARROW], 4 * i);
+    looks.set([...colourOf(lengths[i]! / longest), ARROW], 4 * i);
   }
   return { ends, looks };
 }

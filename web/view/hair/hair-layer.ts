@@ -120,6 +120,10 @@ export class HairLayer {
     this.#guides.setField(field, this.#space);
   }
 
+  setConstraints(constraints: FieldSample | null): void {
+    this.#guides.setConstraints(constraints, this.#space);
+  }
+
   setVolume(box: Box | null): void {
     this.#guides.setVolume(box, this.#space);
   }

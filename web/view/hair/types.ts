@@ -55,6 +55,8 @@ export interface HairPort {
   /** CSS pixels from the viewport's top left corner; control points win over lines. */
   pickCurve(x: number, y: number): CurveHit | null;
   setField(field: FieldSample | null): void;
+  /** What the field was asked for, drawn apart from it. */
+  setConstraints(constraints: FieldSample | null): void;
   setVolume(box: Box | null): void;
   setSupport(surface: SupportSurface | null): void;
 }

@@ -90,7 +90,7 @@ public:
     [[nodiscard]] const Eigen::Vector3d& origin() const; ///< what strands are relative to: the middle of the head
     [[nodiscard]] const HairVolume& volume() const;      ///< relative to origin()
     [[nodiscard]] const VectorField& field() const;      ///< of the style
-    [[nodiscard]] int constraints() const;               ///< of style and scalp
+    [[nodiscard]] const std::vector<FieldConstraint>& constraints() const; ///< of the style, then of the scalp
     [[nodiscard]] const std::vector<Finding>& warnings() const;
     [[nodiscard]] double prepare_seconds() const;
     [[nodiscard]] double update_seconds() const; ///< of the last style: both sets of constraints
