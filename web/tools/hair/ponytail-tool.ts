@@ -1,8 +1,8 @@
 import type { PointerSample, Vec3 } from '../../view/types';
 import { add, anyNormal, cross, dot, scaled, subtract, unit } from '../geometry';
-import type { Tool } from '../tool';
 import { addPrimitive, isTooShort, kept, removePrimitive, replacePart } from './edits';
-import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from './host';
+import { Drawing, GestureTool } from './gesture';
+import type { HairEdit, HairEditLabel, HairRemark, HairScene } from './host';
 import { places, SHORTEST, SPACING } from './measures';
 import { type Line, nearestOn, quantised } from './polyline';
 import { HeadStroke, SupportStroke } from './stroke';
@@ -28,61 +28,21 @@ export function ponytailStage({ step, selected }: Pick<HairScene, 'step' | 'sele
 }
 
 /** Builds a ponytail stroke by stroke: spine from the head, section across it, a profile on either side. */
-export class PonytailTool implements Tool {
+export class PonytailTool extends GestureTool {
   readonly id = 'ponytail';
-  #drawing: Drawing | null = null;
 
-  constructor(private readonly host: HairHost) {}
-
-  down(sample: PointerSample): boolean {
-    const scene = this.host.scene();
-    if (!scene || sample.button !== 0) return false;
-    const stage = ponytailStage(scene);
-    const stroke = stage === 'spine' ? this.#spine(sample) : this.#beside(sample);
-    if (!stroke) return false;
-    this.#drawing = { scene, stage, stroke };
-    this.move([sample]);
-    return true;
-  }
-
-  move(samples: readonly PointerSample[]): void {
-    const drawing = this.#drawing;
-    if (!drawing) return;
-    drawing.stroke.extend(samples);
-    this.#show(drawing);
-    const edit = edited(drawing, this.#sight);
-    if (typeof edit === 'object') this.host.preview(edit);
-  }
-
-  up(sample: PointerSample): void {
-    const drawing = this.#drawing;
-    if (!drawing) return;
-    drawing.stroke.extend([sample]);
-    this.#drawing = null;
-    this.host.showStroke(null);
-    const edit = edited(drawing, this.#sight);
-    if (typeof edit === 'object') {
-      if (drawing.stage === 'spine') this.host.rebuildSupport();
-      this.host.commit(LABELS[drawing.stage], edit);
-      return;
-    }
-    this.host.cancel();
-    this.host.say(edit);
-  }
-
-  hover(sample: PointerSample): void {
+  override hover(sample: PointerSample): void {
     const scene = this.host.scene();
     this.host.aim(scene !== null && (ponytailStage(scene) !== 'spine' || sample.hit !== null));
   }
 
-  leave(): void {
-    this.host.aim(true);
-  }
-
-  cancel(): void {
-    this.#drawing = null;
-    this.host.showStroke(null);
-    this.host.cancel();
+  protected begin(scene: HairScene, sample: PointerSample): Drawing | null {
+    const stage = ponytailStage(scene);
+    const stroke = stage === 'spine' ? this.#spine(sample) : this.#beside(sample);
+    if (!stroke) return null;
+    const kind = stage === 'spine' || stage === 'section' ? stage : 'profile';
+    const edited = () => withPart({ scene, stage, stroke }, this.#sight);
+    return new Drawing(this.host, { stroke, kind, label: LABELS[stage], edited }, sample);
   }
 
   /** Takes back the last part of the ponytail being built. @returns false when none is */
@@ -109,18 +69,13 @@ export class PonytailTool implements Tool {
     return new SupportStroke(this.host.view, support);
   }
 
-  #show({ stage, stroke }: Drawing): void {
-    const kind = stage === 'spine' || stage === 'section' ? stage : 'profile';
-    this.host.showStroke({ line: stroke.line, kind });
-  }
-
   get #sight(): Vec3 {
     const { position, target } = this.host.view.camera;
     return unit(subtract(target, position), [0, 0, -1]);
   }
 }
 
-interface Drawing {
+interface Begun {
   readonly scene: HairScene;
   readonly stage: PonytailStage;
   readonly stroke: HeadStroke | SupportStroke;
@@ -134,7 +89,7 @@ const LABELS: Record<PonytailStage, HairEditLabel> = {
 };
 
 /** What the stroke so far makes of the step, or why it makes nothing. */
-function edited({ scene, stage, stroke }: Drawing, sight: Vec3): HairEdit | HairRemark {
+function withPart({ scene, stage, stroke }: Begun, sight: Vec3): HairEdit | HairRemark {
   const { step, selected, height } = scene;
   if (isTooShort(stroke.line, height)) return 'too-short';
   if (stage === 'spine') {

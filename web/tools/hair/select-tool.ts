@@ -1,59 +1,23 @@
 import type { PointerSample } from '../../view/types';
-import type { Tool } from '../tool';
+import { type Gesture, GestureTool } from './gesture';
 import { HintGesture } from './hint-gesture';
-import type { HairHost, HairScene } from './host';
+import type { HairScene } from './host';
 import { PointDrag } from './point-drag';
 import { primitiveAt, readCurveId } from './style';
 import { rayAt } from './support';
 import { TiltGesture } from './tilt';
 
-interface Gesture {
-  move(samples: readonly PointerSample[]): void;
-  finish(sample: PointerSample): void;
-}
+/** What the two tools below share: a click on a curve selects it, and they need no head under the pointer. */
+abstract class CurveTool extends GestureTool {
+  override hover(): void {
+    this.host.aim(true);
+  }
 
-/** What the two tools below share: a press may begin a gesture; a click on a curve selects it. */
-abstract class CurveTool implements Tool {
-  abstract readonly id: string;
-  #gesture: Gesture | null = null;
-
-  constructor(protected readonly host: HairHost) {}
-
-  down(sample: PointerSample): boolean {
-    const scene = this.host.scene();
-    if (!scene || sample.button !== 0) return false;
-    this.#gesture = this.begin(scene, sample);
-    if (this.#gesture) return true;
-    const hit = this.host.view.pickCurve(sample.x, sample.y);
+  protected override click({ x, y }: PointerSample): boolean {
+    const hit = this.host.view.pickCurve(x, y);
     if (hit) this.host.select(readCurveId(hit.id).index);
     return hit !== null;
   }
-
-  move(samples: readonly PointerSample[]): void {
-    this.#gesture?.move(samples);
-  }
-
-  up(sample: PointerSample): void {
-    const gesture = this.#gesture;
-    this.#gesture = null;
-    gesture?.finish(sample);
-  }
-
-  hover(): void {
-    this.host.aim(true);
-  }
-
-  leave(): void {
-    this.host.aim(true);
-  }
-
-  cancel(): void {
-    this.#gesture = null;
-    this.host.showStroke(null);
-    this.host.cancel();
-  }
-
-  protected abstract begin(scene: HairScene, sample: PointerSample): Gesture | null;
 }
 
 /** A click selects a curve; of the selected one, control points can be dragged. Elsewhere the camera turns. */

@@ -1,9 +1,7 @@
-import { useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
-import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
-import { Icon } from '../controls/icon';
+import { ItemRow } from '../controls/item-row';
 import { Section } from '../controls/section';
 
 export function HandlesPanel() {
@@ -37,66 +35,22 @@ export function HandlesPanel() {
 
 function HandleRow({ index }: { index: number }) {
   const { state, deform, document } = useApp();
-  const [renaming, setRenaming] = useState(false);
   const handle = state.step.value?.handles[index];
   if (!handle) return null;
-  const name = deform.handleName(index);
   const selected = state.selection.value.handle === index;
+  const isPoint = handle.kind === 'point';
   return (
-    <li class={selected ? 'row selected' : 'row'}>
-      {renaming ? (
-        <input
-          class="text"
-          aria-label={t('ui.handles.rename', { name })}
-          value={name}
-          maxLength={64}
-          ref={(input) => input?.focus()}
-          onBlur={(e) => {
-            setRenaming(false);
-            const typed = e.currentTarget.value.trim();
-            if (typed && typed !== name) deform.rename(index, typed);
-          }}
-          onKeyDown={(e) => {
-            if (e.key === 'Escape') e.currentTarget.value = name;
-            if (e.key === 'Enter' || e.key === 'Escape') e.currentTarget.blur();
-          }}
-        />
-      ) : (
-        <button
-          type="button"
-          class="row-main"
-          aria-pressed={selected}
-          onClick={() => document.select(selected ? null : index)}
-          onDblClick={() => setRenaming(true)}
-        >
-          <Icon name={handle.kind === 'point' ? 'circle-dot' : 'circle'} />
-          <span>{name}</span>
-          <span class="muted count">
-            {handle.kind === 'point' ? t('ui.handles.point') : deform.handleSize(handle)}
-          </span>
-        </button>
-      )}
-      {selected && (
-        <Button
-          icon="pencil"
-          iconOnly
-          label={t('ui.handles.rename', { name })}
-          onClick={() => setRenaming(true)}
-        />
-      )}
-      <Button
-        icon={handle.hidden ? 'eye-off' : 'eye'}
-        iconOnly
-        pressed={handle.hidden === true}
-        label={t('ui.handles.hide', { name })}
-        onClick={() => deform.hide(index, !handle.hidden)}
-      />
-      <Button
-        icon="trash-2"
-        iconOnly
-        label={t('ui.handles.remove', { name })}
-        onClick={() => deform.remove(index)}
-      />
-    </li>
+    <ItemRow
+      name={deform.handleName(index)}
+      icon={isPoint ? 'circle-dot' : 'circle'}
+      selected={selected}
+      hidden={handle.hidden === true}
+      onSelect={() => document.select(selected ? null : index)}
+      onRename={(name) => deform.rename(index, name)}
+      onHide={(hidden) => deform.hide(index, hidden)}
+      onRemove={() => deform.remove(index)}
+    >
+      <span class="muted count">{isPoint ? t('ui.handles.point') : deform.handleSize(handle)}</span>
+    </ItemRow>
   );
 }

@@ -1,11 +1,9 @@
-import { useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
 import { type Primitive, type PrimitiveKind, primitivesOf } from '../../tools/hair/style';
 import { useApp } from '../context';
-import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { SliderField, Switch } from '../controls/fields';
-import { Icon } from '../controls/icon';
+import { ItemRow } from '../controls/item-row';
 import { Section } from '../controls/section';
 
 const ICONS: Readonly<Record<PrimitiveKind, string>> = {
@@ -46,63 +44,18 @@ export function CurvesPanel() {
 
 function CurveRow({ index, primitive }: { index: number; primitive: Primitive }) {
   const { state, hair } = useApp();
-  const [renaming, setRenaming] = useState(false);
-  const name = hair.primitiveName(index);
   const selected = state.selection.value.handle === index;
-  const { hidden } = primitive.item;
   return (
-    <li class={selected ? 'row selected' : 'row'}>
-      {renaming ? (
-        <input
-          class="text"
-          aria-label={t('ui.hair.rename', { name })}
-          value={name}
-          maxLength={64}
-          ref={(input) => input?.focus()}
-          onBlur={(e) => {
-            setRenaming(false);
-            const typed = e.currentTarget.value.trim();
-            if (typed && typed !== name) hair.rename(index, typed);
-          }}
-          onKeyDown={(e) => {
-            if (e.key === 'Escape') e.currentTarget.value = name;
-            if (e.key === 'Enter' || e.key === 'Escape') e.currentTarget.blur();
-          }}
-        />
-      ) : (
-        <button
-          type="button"
-          class="row-main"
-          aria-pressed={selected}
-          onClick={() => hair.select(selected ? null : index)}
-          onDblClick={() => setRenaming(true)}
-        >
-          <Icon name={ICONS[primitive.kind]} />
-          <span>{name}</span>
-        </button>
-      )}
-      {selected && (
-        <Button
-          icon="pencil"
-          iconOnly
-          label={t('ui.hair.rename', { name })}
-          onClick={() => setRenaming(true)}
-        />
-      )}
-      <Button
-        icon={hidden ? 'eye-off' : 'eye'}
-        iconOnly
-        pressed={hidden === true}
-        label={t('ui.hair.hide', { name })}
-        onClick={() => hair.hide(index, !hidden)}
-      />
-      <Button
-        icon="trash-2"
-        iconOnly
-        label={t('ui.hair.remove', { name })}
-        onClick={() => hair.remove(index)}
-      />
-    </li>
+    <ItemRow
+      name={hair.primitiveName(index)}
+      icon={ICONS[primitive.kind]}
+      selected={selected}
+      hidden={primitive.item.hidden === true}
+      onSelect={() => hair.select(selected ? null : index)}
+      onRename={(name) => hair.rename(index, name)}
+      onHide={(hidden) => hair.hide(index, hidden)}
+      onRemove={() => hair.remove(index)}
+    />
   );
 }
 
