@@ -2,12 +2,12 @@
 // Run by hand after the gallery changed: node scripts/thumbnails.mjs [name ...]
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { bare, cameraOnHair, drawn, openStudio } from './lib/studio.mjs';
+import { bare, cameraOnHead, drawn, openStudio } from './lib/studio.mjs';
 
 const gallery = new URL('../public/gallery/', import.meta.url);
 const SIZE = { width: 512, height: 384 };
-/** Of light and shade, for models; hair, thousands of strands, is drawn once. */
-const SAMPLES = 2;
+/** Of light and shade for models; of strands, thinner than a pixel, for hair. */
+const SAMPLES = { model: 2, hair: 6 };
 /** The page around the viewport included, so that a model is framed for the picture's shape. */
 const PAGE = { width: 2 * SIZE.width + 48 + 300, height: 2 * SIZE.height + 44 + 26 };
 
@@ -23,13 +23,14 @@ await pictures(
 );
 await pictures(all.filter(isHair), true);
 
-/** @param ofHair  seen from the front, where the hair is */
+/** @param ofHair  thousands of strands: seen from the front, and drawn whole for the picture only */
 async function pictures(entries, ofHair) {
   if (entries.length === 0) return;
   const { page, close } = await openStudio(PAGE, { quick: true });
   page.setDefaultTimeout(300_000);
   try {
     for (const { name } of entries) {
+      if (ofHair) await page.evaluate(() => window.__lissom.app.viewport.setStrandShare(0.01));
       await page.evaluate(async (title) => {
         const { app } = window.__lissom;
         await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === title));
@@ -37,8 +38,12 @@ async function pictures(entries, ofHair) {
       }, name);
       // A card needs less air around a model than a gizmo does.
       await page.evaluate(bare, { distance: 0.87 });
-      if (ofHair) await page.evaluate(cameraOnHair);
-      const picture = await page.evaluate(drawn, { ...SIZE, samples: ofHair ? 1 : SAMPLES });
+      if (ofHair) {
+        await page.evaluate(cameraOnHead);
+        await page.evaluate(() => window.__lissom.app.viewport.setStrandShare(1));
+      }
+      const samples = ofHair ? SAMPLES.hair : SAMPLES.model;
+      const picture = await page.evaluate(drawn, { ...SIZE, samples });
       writeFileSync(new URL(`thumbnails/${name}.webp`, gallery), Buffer.from(picture, 'base64'));
       console.log(name);
     }

@@ -46,8 +46,13 @@ export async function openStudio(size, { quick = false, port = 5187 } = {}) {
   }
 }
 
-/** In the page: a picture of the viewport alone, drawn larger and scaled down. @returns base64 of a WebP file */
-export async function drawn({ width, height, samples, quality = 0.85 }) {
+/**
+ * In the page: a picture of the viewport alone, drawn larger and scaled down.
+ *
+ * @param samples  pictures that it is the mean of; as many as the app takes when left out
+ * @returns base64 of a WebP file
+ */
+export async function drawn({ width, height, quality = 0.85, samples }) {
   const { viewport } = window.__lissom.app;
   const image = await createImageBitmap(await viewport.screenshot(2 * width, 2 * height, { samples }));
   const canvas = new OffscreenCanvas(width, height);
@@ -82,43 +87,35 @@ export async function bare({ view = 'home', distance = 1, camera }) {
 }
 
 /**
- * In the page: the camera that sees head and hair whole, from the front and a little from the side.
+ * In the page: the camera that sees a head with its hair from the front and a little from the side, every head as
+ * large as any other. Hair that hangs lower than the picture is cut by its edge.
  *
  * @param azimuth  degrees from straight in front, to the head's left
+ * @param share    of the picture's height that the head takes
  */
-export function cameraOnHair({ azimuth = 32, elevation = 9, air = 1.06 } = {}) {
+export function cameraOnHead({ azimuth = 32, elevation = 9, share = 0.66 } = {}) {
   const { app } = window.__lissom;
-  const { strands, positions } = app.evaluator.result.peek();
-  const points = [];
-  for (let v = 0; v < positions.length; v += 60) points.push([...positions.subarray(v, v + 3)]);
-  const count = strands?.offsets.length ?? 0;
-  // A few strands stand off: what most of them keep to is the picture.
-  for (let s = 0; s + 1 < count; s += 40) {
-    const tip = 3 * (strands.offsets[s + 1] - 1);
-    points.push([0, 1, 2].map((k) => strands.points[tip + k] + strands.origin[k]));
-  }
+  const { positions } = app.evaluator.result.peek();
   const range = (k) => {
-    const values = points.map((p) => p[k]).sort((a, b) => a - b);
-    return [values[Math.floor(0.005 * values.length)], values[Math.ceil(0.995 * values.length) - 1]];
+    const values = positions.filter((_, i) => i % 3 === k);
+    return [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
   };
   const box = [0, 1, 2].map(range);
-  const target = box.map(([low, high]) => (low + high) / 2);
+  const height = box[1][1] - box[1][0];
+  const target = box.map(([low, high], k) => (low + high) / 2 - (k === 1 ? 0.04 * height : 0));
   const [a, e] = [azimuth, elevation].map((degrees) => (degrees * Math.PI) / 180);
   const from = [Math.cos(e) * Math.sin(a), Math.sin(e), Math.cos(e) * Math.cos(a)];
-  const { clientWidth, clientHeight } = document.querySelector('main.stage canvas');
-  let distance = 3 * Math.max(...box.map(([low, high]) => high - low));
+  const { clientHeight } = document.querySelector('main.stage canvas');
+  const middle = (y) => [target[0], y, target[2]];
+  let distance = 3 * height;
   for (let i = 0; i < 4; i++) {
     app.viewport.camera = {
       target,
       orthographic: false,
       position: target.map((x, k) => x + distance * from[k]),
     };
-    let widest = 0;
-    for (let corner = 0; corner < 8; corner++) {
-      const { x, y } = app.viewport.project(box.map((ends, k) => ends[(corner >> k) & 1]));
-      widest = Math.max(widest, Math.abs((2 * x) / clientWidth - 1), Math.abs((2 * y) / clientHeight - 1));
-    }
-    distance *= widest * air;
+    const [top, bottom] = [box[1][1], box[1][0]].map((y) => app.viewport.project(middle(y)).y);
+    distance *= (bottom - top) / clientHeight / share;
   }
   return app.viewport.camera;
 }

@@ -9,10 +9,12 @@ attribute vec4 regionsLow;
 attribute vec4 regionsHigh;
 attribute float heat;
 attribute vec3 paint;
+attribute float rooted;
 varying vec4 vRegionsLow;
 varying vec4 vRegionsHigh;
 varying float vHeat;
 varying vec3 vPaint;
+varying float vRooted;
 varying vec3 vPlace;
 `;
 
@@ -21,6 +23,7 @@ vRegionsLow = regionsLow;
 vRegionsHigh = regionsHigh;
 vHeat = heat;
 vPaint = paint;
+vRooted = rooted;
 vPlace = position;
 `;
 
@@ -88,6 +91,9 @@ vec4 over = vec4(0.0);
     paintRegion(vRegionsHigh.z, regionFill[6], regionLine[6], regionWidth[6], base, over);
     paintRegion(vRegionsHigh.w, regionFill[7], regionLine[7], regionWidth[7], base, over);
   }
+#ifdef HAIR
+  if (!heatShown) base = mix(base, base * hairTint, 0.6 * smoothstep(0.25, 1.0, vRooted));
+#endif
   diffuseColor.rgb = base;
 }
 `;
@@ -100,6 +106,8 @@ ${OPACITY_LOOKUP}
 uniform sampler3D hairShade;
 uniform vec3 hairShadeLow;
 uniform float hairShadeSize;
+uniform vec3 hairTint;
+varying float vRooted;
 #endif
 `;
 

@@ -113,6 +113,7 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
     const double h = volume_.head_height;
     Strand strand{root_of(index), {}, segment_, {}};
     strand.sides = partings_.sides(strand.root.position);
+    const bool beside_parting = std::any_of(strand.sides.begin(), strand.sides.end(), [](std::int8_t side) { return side != 0; });
     const double length = std::min(length_of(strand.root, index), segment_ * (max_points - 1));
     const double height = height_ * (0.2 + 0.8 * chance(options_.seed, index, in_layer));
     const double clearance = k_clearance * h;
@@ -147,7 +148,14 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
             const double ahead = head_.at(p + k_ahead * l * v);
             if (ahead < 0.5 * share) v = (v + std::min(k_over, (0.5 * share - ahead) / (k_ahead * l)) * n).normalized();
         }
-        if (near_root) v = partings_.outward(p, v, strand.sides);
+        if (near_root) {
+            // Over a parting's line both sides' vectors cancel but for their rise: hair there would stand up.
+            if (beside_parting) {
+                const Vector3d n = skin.gradient.normalized();
+                v -= std::max(0.0, v.dot(n) - std::max(0.0, share - skin.distance) / l) * n;
+            }
+            v = partings_.outward(p, v, strand.sides).normalized();
+        }
 
         Vector3d next = p + l * v;
         next = lifted(head_, next, std::min(clearance, 0.5 * (walked + l)));

@@ -2,6 +2,7 @@ import {
   Box3,
   BufferAttribute,
   type BufferGeometry,
+  Color,
   CustomBlending,
   Data3DTexture,
   DataTexture,
@@ -30,6 +31,7 @@ import { type Prefix, prefixOf } from './lod';
 import { OpacityMap } from './opacity-map';
 import { fitting, pack, ROW } from './quantise';
 import { type EvenStrands, resample } from './resample';
+import { rootDensity } from './rooted';
 import { SHADE_FRAGMENT, SHADE_VERTEX } from './shade-glsl';
 import { StrandLight } from './strand-light';
 import type { HairOptions } from './types';
@@ -48,6 +50,7 @@ interface Unbaked {
   readonly head: Head | undefined;
 }
 
+const WHITE = new Color(1, 1, 1);
 /** Shadows need no more strands than this: they stand for all. */
 const SHADOW_STRANDS = 30_000;
 
@@ -83,6 +86,7 @@ export class HairView {
     hairShade: { value: this.#shade },
     hairShadeLow: this.#grid.gridLow,
     hairShadeSize: this.#grid.gridSize,
+    hairTint: { value: new Color() },
   };
 
   #total = 0;
@@ -155,6 +159,7 @@ export class HairView {
     this.#width = look.thickness * space.scale;
     this.#ribbon.taper.value = look.taper;
     this.#strandLight.setLook(look.color, look.colorVariation);
+    this.shadowUniforms.hairTint.value.set(look.color).lerp(WHITE, 0.15);
     this.#unbaked = { even, taper: look.taper, head };
     this.#stale = true;
     this.#apply();
@@ -231,6 +236,8 @@ export class HairView {
     const baked = bakeLight(even, this.#width * this.#options.widthScale, taper, head);
     fill(this.#light, baked.light, baked.n);
     fill(this.#shade, baked.shade, baked.n);
+    if (head)
+      head.geometry.setAttribute('rooted', new BufferAttribute(rootDensity(even, head.places), 1, true));
     this.#grid.gridLow.value.set(...baked.low);
     this.#grid.gridSize.value = baked.size;
     this.#strandLight.changed();
