@@ -182,7 +182,7 @@ test.describe('a lid on a bowl', () => {
     await choosePart(desk, 'Octopus');
     await page.locator('.merge-go').getByRole('button', { name: 'Merge' }).click();
     await expect(page.locator('.toast.bad')).toContainText('Paint roughly on both models');
-    await desk.press('f');
+    await desk.press('c');
     const [head] = await spots(page, 'source', [[0, 0.9, 0.2]]);
     await desk.drag(head!, { x: 12, y: 0 });
     await desk.press('b');

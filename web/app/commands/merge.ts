@@ -24,7 +24,7 @@ export function mergeCommands({ state, merge, document, workspaces, gestures }: 
   return [
     tool('merge-pins', 'map-pin', ['V']),
     tool('mark-region', 'paintbrush', ['B']),
-    tool('mark-feature', 'highlighter', ['F']),
+    tool('mark-feature', 'highlighter', ['C']),
     {
       id: 'merge.through',
       group,

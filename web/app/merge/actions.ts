@@ -3,9 +3,7 @@
 import { LissomError } from '../../core/errors';
 import { fromIndices } from '../../core/vertex-set';
 import type { RegionMaps } from '../../kernel/contract';
-import * as edit from '../../recipe/edit';
 import type { MergeStep, ModelRef } from '../../recipe/recipe';
-import { newMergeStep } from '../../recipe/steps/merge';
 import type { Runner } from '../../run/evaluate';
 import type { Mark } from '../../tools/merge/host';
 import { arcLengths, type Loop } from '../../tools/merge/loops';
@@ -23,6 +21,7 @@ import { t } from '../i18n';
 import type { State } from '../state';
 import { Aids } from './aids';
 import { type Meeting, meetingOf } from './meeting';
+import { PartChoice } from './part-choice';
 import {
   isReady,
   MARKS,
@@ -46,52 +45,30 @@ const STRIP = 0.08;
 
 export class MergeActions implements MergeService {
   readonly aids: Aids;
+  readonly #part: PartChoice;
   /** What `finish` will call the edit under way. */
   #live = '';
 
   constructor(private readonly parts: Parts) {
     this.aids = new Aids(parts.state.merge.sides);
+    this.#part = new PartChoice(parts);
   }
 
   start(target: string): Promise<void> {
-    return this.#choose(target, null);
+    return this.#part.ask(target, null);
   }
 
   async changePart(): Promise<void> {
     const step = this.#step;
-    if (step) await this.#choose(step.target, step.id);
+    if (step) await this.#part.ask(step.target, step.id);
   }
 
-  async cancelChoosing(): Promise<void> {
-    const { state, document, runner } = this.parts;
-    state.merge.choosing.value = null;
-    const step = this.#step;
-    if (!step) return;
-    // The part that was there is shown again.
-    const source = await runner.opened(document.recipe, step.source);
-    const target = await runner.opened(document.recipe, step.target);
-    if (this.#step === step) state.merge.sides.value = { source, target };
+  cancelChoosing(): Promise<void> {
+    return this.#part.cancel();
   }
 
   choosePart(name: string, ref: ModelRef): void {
-    const { state, document } = this.parts;
-    const choosing = state.merge.choosing.peek();
-    if (!choosing || !state.choosing.peek()) return;
-    const held = document.recipe.models[name];
-    const isHeld = held !== undefined && sameRef(held, ref);
-    const source = isHeld ? name : edit.uniqueName(name, edit.takenNames(document.recipe));
-    const named = isHeld ? document.recipe : edit.setModel(document.recipe, source, ref);
-    const swapped = mergeStepById(named, choosing.swaps ?? '');
-    const id = swapped?.id ?? freeId(edit.takenNames(named));
-    const step = newMergeStep(id, source, choosing.target);
-    const targetRegion = swapped?.optimalBoundary?.targetRegion;
-    const recipe = swapped
-      ? edit.pruneModels(withMergeStep(named, targetRegion ? withMark(step, 'target', targetRegion) : step))
-      : edit.addStep(named, step);
-    state.merge.held.value = id;
-    document.commit(t('history.merge.start', { name: source }), recipe, { step: id, handle: null });
-    state.merge.choosing.value = null;
-    state.tool.value = 'mark-region';
+    this.#part.choose(name, ref);
   }
 
   setMark(mark: Mark, vertices: Uint32Array, label: string): void {
@@ -330,15 +307,6 @@ export class MergeActions implements MergeService {
     if (next !== step) this.#commit(t('history.merge.find'), next);
   }
 
-  async #choose(target: string, swaps: string | null): Promise<void> {
-    const { state, document, runner } = this.parts;
-    const { recipe } = document;
-    const opened = await runner.opened(recipe, target);
-    if (document.recipe !== recipe) return;
-    state.merge.sides.value = { source: null, target: opened };
-    state.merge.choosing.value = { recipe, target, swaps };
-  }
-
   #set(label: string, step: MergeStep, live: boolean, merge: string): void {
     const { document } = this.parts;
     if (live) {
@@ -351,12 +319,4 @@ export class MergeActions implements MergeService {
     const { document } = this.parts;
     document.commit(label, withMergeStep(document.recipe, step), { step: step.id, handle }, merge);
   }
-}
-
-const sameRef = (a: ModelRef, b: ModelRef): boolean =>
-  'file' in a ? 'file' in b && a.file === b.file : 'builtin' in b && a.builtin === b.builtin;
-
-/** `merge 1`, `merge 2` … */
-function freeId(taken: readonly string[]): string {
-  for (let number = 1; ; number++) if (!taken.includes(`merge ${number}`)) return `merge ${number}`;
 }
