@@ -67,6 +67,14 @@ test('an OBJ of faces and lines opens as a model, and its lines can be looked at
   expect([corners(shown.model), shown.strands]).toEqual([8, 2]);
 });
 
+test('lines that are no strands do not keep a model from opening', async () => {
+  const { tab } = await looking();
+  await tab.app.files.openFiles([file('loose.obj', `${CUBE_OBJ}\nl 3\nl 1 99\n`)]);
+  await tab.app.evaluator.settled();
+  expect(tab.app.document.recipe.models).toEqual({ loose: { file: 'loose.obj' } });
+  expect(tab.app.state.hair.viewed.value).toBeNull();
+});
+
 test('a damaged .hair file is refused by name, and nothing changes', async () => {
   const { tab } = await looking();
   const { recipe } = tab.app.document;

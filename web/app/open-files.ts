@@ -1,6 +1,7 @@
 // Opening what a file holds: a mesh, a project archive, a recipe, a picture with its recipe inside, strands to look
 // at. A document is replaced only once what was opened has proved usable, so a bad file costs nothing.
 
+import { LissomError } from '../core/errors';
 import type { Groom } from '../core/strands';
 import { readModel, readProject, readStrands } from '../io/index';
 import { isPng } from '../io/png-text';
@@ -66,7 +67,8 @@ export class FileOpener {
   async #openLines(file: ReadFile): Promise<void> {
     const { messages, state } = this.parts;
     const { name } = file;
-    const groom = readStrands(file.bytes, name);
+    const groom = strandsIn(file);
+    if (!groom) return this.#openMesh(file);
     const again = (act: () => void | Promise<void>) => async () => {
       try {
         await act();
@@ -137,6 +139,16 @@ export class FileOpener {
       ]),
     );
     await this.parts.desk.open({ recipe: { ...recipe, models }, title, own: true });
+  }
+}
+
+/** @returns `null` where the lines are no strands: a model may have lines that are of no use here */
+function strandsIn({ name, bytes }: ReadFile): Groom | null {
+  try {
+    return readStrands(bytes, name);
+  } catch (error) {
+    if (error instanceof LissomError && error.fault === 'input') return null;
+    throw error;
   }
 }
 
