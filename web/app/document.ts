@@ -7,6 +7,7 @@ import { History, type HistoryEntry } from '../recipe/history';
 import type { DeformStep, Recipe } from '../recipe/recipe';
 import type { DocumentService } from './api';
 import { t } from './i18n';
+import { NO_SIDES } from './merge/state';
 import type { Selection, Snapshot, State } from './state';
 
 export type Entry = HistoryEntry<Recipe, Selection>;
@@ -149,6 +150,7 @@ export class Document implements DocumentService {
   #follow(history: History<Recipe, Selection>): void {
     this.#unsubscribe();
     this.state.merge.held.value = null;
+    this.state.merge.opened.value = NO_SIDES;
     this.#history = history;
     this.#unsubscribe = history.subscribe(() => this.#publish());
     this.#publish();

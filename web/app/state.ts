@@ -149,7 +149,7 @@ export class State {
 
   // The workspace
   readonly hair = new HairState();
-  readonly merge = new MergeState();
+  readonly merge = new MergeState(this.mergeStep);
   /** Whether a part to add is being chosen: the merge step begins with it. */
   readonly choosing: ReadonlySignal<boolean> = computed(
     () => this.merge.choosing.value?.recipe === this.recipe.value,

@@ -254,8 +254,13 @@ export class MergeActions implements MergeService {
     return mergeStepById(document.recipe, document.selection.step);
   }
 
+  /** Those that lie on the loops as they are now: the last merge may have been of others. */
   get #foundKeys() {
-    return this.parts.state.merge.figures.value?.keys ?? [];
+    const boundaries = this.parts.state.mergeStep.value?.boundaries ?? [];
+    const found = this.parts.state.merge.figures.value?.keys ?? [];
+    return boundaries.map(({ source, target }, i) =>
+      (found[i] ?? []).filter(([s, t]) => source.includes(s) && target.includes(t)),
+    );
   }
 
   #count(side: MergeSide): number {

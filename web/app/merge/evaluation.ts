@@ -8,7 +8,7 @@ import type { Key } from '../../tools/merge/pins';
 import type { Evaluation, RunnerPort } from '../evaluation';
 import { tCode } from '../i18n';
 import type { State } from '../state';
-import type { MergeFigures, Sides } from './state';
+import type { MergeFigures } from './state';
 import { isReady, withMergeStep } from './steps';
 
 export interface MergedStep {
@@ -38,7 +38,11 @@ export async function runMerge(
   const aborting = signal ? { signal } : {};
   const source = await runner.opened(recipe, step.source, aborting);
   const target = await runner.opened(recipe, step.target, aborting);
-  if (!signal?.aborted) showSides(merge.sides, { source, target });
+  if (!signal?.aborted)
+    merge.opened.value = {
+      source: { name: step.source, result: source },
+      target: { name: step.target, result: target },
+    };
   const bare = { input: target, positions: target.model.positions, strands: null, report: null };
   if (!isReady(step) || wanted === 'held') {
     merge.problem.value = null;
@@ -61,12 +65,6 @@ export async function runMerge(
 
 const withoutRounds = (step: MergeStep): MergeStep =>
   step.optimalBoundary ? { ...step, optimalBoundary: { ...step.optimalBoundary, rounds: 0 } } : step;
-
-function showSides(sides: { value: Sides; peek(): Sides }, next: Sides): void {
-  const shown = sides.peek();
-  const same = (['source', 'target'] as const).every((side) => shown[side]?.opened === next[side]?.opened);
-  if (!same) sides.value = next;
-}
 
 export function mergeFigures({ report, input }: Evaluation): MergeFigures | null {
   if (report?.type !== 'merge') return null;

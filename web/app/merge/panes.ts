@@ -1,6 +1,7 @@
 // The panes of the two models: their pointers go to the tool that is chosen, their pictures follow the state.
 
 import { effect } from '@preact/signals';
+import type { ModelResult } from '../../run/types';
 import { paintMark } from '../../tools/merge/mark-tool';
 import { PinTool } from '../../tools/merge/pin-tool';
 import type { MergeSide } from '../../tools/merge/pins';
@@ -53,8 +54,15 @@ function syncPane(side: MergeSide, viewport: ViewportPort, parts: Parts): Synced
   };
   const pointer = new PointerSwitch(viewport, () => tools[state.tool.peek()], parts.settings);
   viewport.setPointerHandler(pointer);
+  let shown: ModelResult | null = null;
   const stops = [
-    effect(() => showModel(viewport, state, side)),
+    effect(() => {
+      const next = state.merge.sides.value[side];
+      // Only another model takes the camera back to where it starts.
+      if (next?.opened !== shown?.opened || next?.model.colors !== shown?.model.colors)
+        showModel(viewport, next);
+      shown = next;
+    }),
     effect(() => showMarks(viewport, state, side)),
     effect(() => showLoops(viewport, parts, side)),
     effect(() => viewport.setDisplay(state.display.value)),
@@ -72,8 +80,7 @@ function syncPane(side: MergeSide, viewport: ViewportPort, parts: Parts): Synced
   };
 }
 
-function showModel(viewport: ViewportPort, { merge }: State, side: MergeSide): void {
-  const shown = merge.sides.value[side];
+function showModel(viewport: ViewportPort, shown: ModelResult | null): void {
   if (!shown) {
     viewport.setModel(null);
     return;

@@ -24,7 +24,7 @@ export class PartChoice {
     const { recipe } = document;
     const opened = await runner.opened(recipe, target);
     if (document.recipe !== recipe) return;
-    state.merge.sides.value = { source: null, target: opened };
+    state.merge.opened.value = { source: null, target: { name: target, result: opened } };
     state.merge.choosing.value = { recipe, target, swaps };
   }
 
@@ -37,7 +37,11 @@ export class PartChoice {
     // The part that was there is shown again.
     const source = await runner.opened(recipe, step.source);
     const target = await runner.opened(recipe, step.target);
-    if (document.recipe === recipe) state.merge.sides.value = { source, target };
+    if (document.recipe !== recipe) return;
+    state.merge.opened.value = {
+      source: { name: step.source, result: source },
+      target: { name: step.target, result: target },
+    };
   }
 
   choose(name: string, ref: ModelRef): void {

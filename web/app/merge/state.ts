@@ -1,7 +1,7 @@
 // What the merge workspace knows beside the document, as signals. No behaviour here.
 
-import { signal } from '@preact/signals';
-import type { Recipe } from '../../recipe/recipe';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { MergeStep, Recipe } from '../../recipe/recipe';
 import type { ModelResult } from '../../run/types';
 import type { Mark } from '../../tools/merge/host';
 import type { Loop } from '../../tools/merge/loops';
@@ -38,9 +38,19 @@ export interface MergeFigures {
 
 export type Sides = Readonly<Record<MergeSide, ModelResult | null>>;
 
+/** A model that is open, and the name it has in the recipe. */
+interface Named {
+  readonly name: string;
+  readonly result: ModelResult;
+}
+
+export const NO_SIDES: Readonly<Record<MergeSide, Named | null>> = { source: null, target: null };
+
 export class MergeState {
-  /** The two models of the open step, or of the one about to be started. */
-  readonly sides = signal<Sides>({ source: null, target: null });
+  /** What was opened last for the two panes. */
+  readonly opened = signal(NO_SIDES);
+  /** The two models of the open step, or of the one about to be started; `null` while one is not there yet. */
+  readonly sides: ReadonlySignal<Sides>;
   readonly choosing = signal<Choosing | null>(null);
   /** Id of the step whose marks are not to be merged until the button says so. */
   readonly held = signal<string | null>(null);
@@ -56,4 +66,15 @@ export class MergeState {
   /** An opening that waits for its partner on the other model. */
   readonly picked = signal<SideLoop | null>(null);
   readonly figures = signal<MergeFigures | null>(null);
+
+  /** @param step  the open one while it is one that merges */
+  constructor(step: ReadonlySignal<MergeStep | undefined>) {
+    const side = (which: MergeSide): ModelResult | null => {
+      const held = this.opened.value[which];
+      const open = step.value;
+      const isMeant = !open || this.choosing.value !== null || open[which] === held?.name;
+      return held && isMeant ? held.result : null;
+    };
+    this.sides = computed(() => ({ source: side('source'), target: side('target') }));
+  }
 }
