@@ -4,7 +4,7 @@ import type { ImportNote } from '../io/notes';
 import { referencesOf } from '../recipe/cross-checks';
 import { formatJson } from '../recipe/format';
 import { RECIPE_VERSION, type Recipe } from '../recipe/recipe';
-import type { StepResult } from '../run/types';
+import type { ModelResult, StepResult } from '../run/types';
 
 interface ModelReport {
   readonly vertices: number;
@@ -24,15 +24,15 @@ export function reportOf(
 ): string {
   const models: Record<string, ModelReport> = {};
   for (const step of recipe.steps) {
-    const { name } = referencesOf(step)[0]!;
-    if (Object.hasOwn(recipe.models, name))
-      models[name] = modelReport(results.get(step.id)!, notes.get(name) ?? []);
+    for (const [at, { name }] of referencesOf(step).entries())
+      if (Object.hasOwn(recipe.models, name))
+        models[name] = modelReport(results.get(step.id)!.inputs[at]!, notes.get(name) ?? []);
   }
   const steps = recipe.steps.map(({ id }) => results.get(id)!.report);
   return `${formatJson({ lissom: RECIPE_VERSION, models, steps })}\n`;
 }
 
-function modelReport({ input: { model, opened } }: StepResult, notes: readonly ImportNote[]): ModelReport {
+function modelReport({ model, opened }: ModelResult, notes: readonly ImportNote[]): ModelReport {
   return {
     vertices: vertexCount(model),
     faces: faceCount(model),

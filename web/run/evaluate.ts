@@ -153,7 +153,7 @@ export class Runner {
       if (measure && at === steps.length - 1 && sameVertices(outcome.model, inputs[0]!.model))
         await this.#measure(outcome, inputs[0]!, signal);
       stages.set(step.id, { model: outcome.model, key, place });
-      results.set(step.id, resultOf(recipe, step, inputs[0]!, outcome));
+      results.set(step.id, resultOf(recipe, step, inputs, outcome));
       onProgress(1);
     }
     return results;
@@ -226,9 +226,10 @@ const bytesOf = ({ model, strands }: Cached): number =>
 /** What a step made anew cannot be measured against what came in. */
 const sameVertices = (a: Model, b: Model): boolean => a.positions.length === b.positions.length;
 
-function resultOf(recipe: Recipe, step: Step, input: ModelResult, outcome: Cached): StepResult {
+function resultOf(recipe: Recipe, step: Step, inputs: readonly ModelResult[], outcome: Cached): StepResult {
   const { model, strands, figures, seconds, peakBytes, warnings, measured } = outcome;
   // What was found in a model is told by the steps that start from it, not again by those that follow.
+  const input = inputs[0]!;
   const found = referencesOf(step).some(({ name }) => Object.hasOwn(recipe.models, name))
     ? input.opened.findings
     : [];
@@ -242,5 +243,5 @@ function resultOf(recipe: Recipe, step: Step, input: ModelResult, outcome: Cache
     peakBytes,
     warnings: [...found, ...warnings],
   };
-  return { model, input, report, ...(strands ? { strands } : {}), ...(measured ? { measured } : {}) };
+  return { model, input, inputs, report, ...(strands ? { strands } : {}), ...(measured ? { measured } : {}) };
 }

@@ -40,6 +40,8 @@ export interface StepResult {
   /** The hair of a hair step, whose model is its head as it came in. */
   readonly strands?: Strands;
   readonly input: ModelResult;
+  /** All that came in, in the order of the step's references: of a merge step the source and the target. */
+  readonly inputs: readonly ModelResult[];
   readonly report: StepReport;
   readonly measured?: Measured;
 }
