@@ -51,9 +51,7 @@ async function refused(code: string, step: object, source?: Model, target?: Mode
   const { shell, status, stderr } = await merge(step, source, target);
   expect({ status, stderr }).toEqual({
     status: 2,
-    stderr: expect.stringMatching(
-      new RegExp(`^error: ${code}: steps\\[0\\] \\(m\\): [A-Z][^\n]{30,}\\.\n$`),
-    ),
+    stderr: expect.stringMatching(new RegExp(`^error: ${code}: steps\\[0\\] \\(m\\): [A-Z][^\n]{30,}\\.\n$`)),
   });
   expect([shell.files('out'), existsSync(shell.path('report.json'))]).toEqual([[], false]);
 }
