@@ -1,4 +1,4 @@
-#include "convert.h"
+#include "session.h"
 #include "lissom/deform/deform_session.h"
 
 #include <emscripten/bind.h>
@@ -46,25 +46,9 @@ HeldSession* prepare(const std::shared_ptr<lissom::WorkingMesh>& working, const 
     });
 }
 
-bool step(HeldSession& held) {
-    return guarded([&] { return held.session.step(); });
-}
-
-double fraction(const HeldSession& held) { return held.session.fraction(); }
-
 // figures() → what PreparedDeform of web/kernel/contract.ts says of a prepared session
 val figures(const HeldSession& held) {
-    return guarded([&] {
-        val seconds = val::object();
-        seconds.set("assemble", held.session.assemble_seconds());
-        seconds.set("factor", held.session.factor_seconds());
-        val result = val::object();
-        result.set("free", held.session.free_vertices());
-        result.set("degenerate", held.session.degenerate_vertices());
-        result.set("warnings", findings(held.session.warnings()));
-        result.set("seconds", seconds);
-        return result;
-    });
+    return guarded([&] { return bindings::prepared_figures(held.session, held.session.assemble_seconds()); });
 }
 
 // k column-major 4×4 matrices, end to end, as THREE.Matrix4.elements
@@ -106,8 +90,8 @@ val deform(const HeldSession& held, const val& targets, bool settle) {
 EMSCRIPTEN_BINDINGS(deform) {
     class_<HeldSession>("DeformSession")
         .constructor(&prepare, allow_raw_pointers())
-        .function("step", &step)
-        .function("fraction", &fraction)
+        .function("step", &bindings::step<HeldSession>)
+        .function("fraction", &bindings::fraction<HeldSession>)
         .function("figures", &figures)
         .function("deform", &deform);
 }

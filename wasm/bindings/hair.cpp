@@ -1,4 +1,4 @@
-#include "convert.h"
+#include "session.h"
 #include "lissom/hair/hair_session.h"
 #include "lissom/mesh/stopwatch.h"
 
@@ -50,11 +50,6 @@ HeldHair* open_session(const std::shared_ptr<lissom::WorkingMesh>& working, cons
                                                          resolution, axis)};
     });
 }
-
-bool prepare(HeldHair& held) {
-    return guarded([&] { return held.session.step(); });
-}
-double prepared(const HeldHair& held) { return held.session.fraction(); }
 
 val three(const Eigen::Vector3d& p) {
     val result = val::array();
@@ -238,8 +233,8 @@ val take(HeldGrowth& held) {
 EMSCRIPTEN_BINDINGS(hair) {
     class_<HeldHair>("HairSession")
         .constructor(&open_session, allow_raw_pointers())
-        .function("step", &prepare)
-        .function("fraction", &prepared)
+        .function("step", &bindings::step<HeldHair>)
+        .function("fraction", &bindings::fraction<HeldHair>)
         .function("describe", &describe)
         .function("style", &style)
         .function("field", &field)

@@ -1,4 +1,4 @@
-#include "convert.h"
+#include "session.h"
 #include "lissom/merge/merge_session.h"
 
 #include <emscripten/bind.h>
@@ -90,23 +90,10 @@ HeldMerge* prepare_optimal(const std::shared_ptr<WorkingMesh>& source, const std
     });
 }
 
-bool step(HeldMerge& held) {
-    return guarded([&] { return held.session.step(); });
-}
-
-double fraction(const HeldMerge& held) { return held.session.fraction(); }
-
 // figures() → what PreparedMerge of web/kernel/contract.ts says of a prepared session
 val figures(const HeldMerge& held) {
     return guarded([&] {
-        val seconds = val::object();
-        seconds.set("assemble", held.session.prepare_seconds());
-        seconds.set("factor", held.session.factor_seconds());
-        val result = val::object();
-        result.set("free", held.session.free_vertices());
-        result.set("degenerate", held.session.degenerate_vertices());
-        result.set("warnings", findings(held.session.warnings()));
-        result.set("seconds", seconds);
+        val result = bindings::prepared_figures(held.session, held.session.prepare_seconds());
         const std::vector<double>& energies = held.session.energies();
         result.set("energies", typed_array(energies.data(), energies.size()));
         if (held.session.placement()) result.set("placement", placed(*held.session.placement()));
@@ -248,8 +235,8 @@ val loops_around(const WorkingMesh& working, const val& vertices) {
 EMSCRIPTEN_BINDINGS(merge) {
     class_<HeldMerge>("MergeSession")
         .constructor(&prepare, allow_raw_pointers())
-        .function("step", &step)
-        .function("fraction", &fraction)
+        .function("step", &bindings::step<HeldMerge>)
+        .function("fraction", &bindings::fraction<HeldMerge>)
         .function("figures", &figures)
         .function("merge", &merge);
     function("mergeAlongOptimalBoundary", &prepare_optimal, allow_raw_pointers());
