@@ -205,6 +205,24 @@ test('widths of the overlap are parts of the loops’ lengths, and go with the l
   expect(step(tab).transition).toBeUndefined();
 });
 
+test('merged in place, the part stands where the numbers put it', async () => {
+  const tab = await lidChosen();
+  await tab.app.commands.run('merge.run');
+  tab.app.merge.setMode('dependent');
+  const top = async (y: number): Promise<number> => {
+    tab.app.merge.setPose({ translation: [0, y, 0] }, true);
+    tab.app.merge.finish();
+    await tab.app.evaluator.settled();
+    expect(tab.app.state.merge.problem.value).toBeNull();
+    const { positions } = tab.app.evaluator.result.value!;
+    return Math.max(...positions.filter((_, i) => i % 3 === 1));
+  };
+  const low = await top(0);
+  expect(tab.app.merge.reach()).toBeLessThanOrEqual(0.3);
+  expect(await top(2)).toBeCloseTo(low + 2, 9);
+  expect(tab.app.merge.pose().translation).toEqual([0, 2, 0]);
+});
+
 // Where two models meet, from what is marked.
 
 const part = (marks: object, hole?: (x: number, y: number) => boolean) => {

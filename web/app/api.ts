@@ -145,6 +145,12 @@ export interface MergeService {
   pins(): readonly Pin[];
   removePin(number: number): void;
   setMode(mode: MergeStep['mode']): void;
+  /** How far from the seam a part merged in place gives way, as a part of the loops' length. */
+  reach(): number;
+  setReach(share: number, live?: boolean): void;
+  /** Where the part stands in the target's space, for merging in place; about its middle. */
+  pose(): HandlePose;
+  setPose(pose: Partial<HandlePose>, live?: boolean): void;
   /** `live` previews (slider held), then `finish`. */
   setSmoothing(rounds: number, live?: boolean): void;
   /** Widths of the overlapped strips as parts of the loops' lengths; `null`: none. */

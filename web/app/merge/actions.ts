@@ -6,7 +6,7 @@ import type { RegionMaps } from '../../kernel/contract';
 import type { MergeStep, ModelRef } from '../../recipe/recipe';
 import type { Runner } from '../../run/evaluate';
 import type { Mark } from '../../tools/merge/host';
-import { arcLengths, type Loop } from '../../tools/merge/loops';
+import type { Loop } from '../../tools/merge/loops';
 import {
   type MergeSide,
   otherSide,
@@ -16,17 +16,16 @@ import {
   withFoundKeys,
 } from '../../tools/merge/pins';
 import type { MergeService } from '../api';
-import type { Document } from '../document';
 import { t } from '../i18n';
-import type { State } from '../state';
 import { Aids } from './aids';
+import type { EditParts } from './edits';
 import { type Meeting, meetingOf } from './meeting';
 import { PartChoice } from './part-choice';
+import { MergeShape } from './shape';
 import {
   isReady,
   MARKS,
   markOf,
-  mergeStepById,
   type OptimalBoundary,
   sideOfMark,
   withBoundaries,
@@ -34,22 +33,15 @@ import {
   withMergeStep,
 } from './steps';
 
-interface Parts {
-  readonly state: State;
-  readonly document: Document;
+interface Parts extends EditParts {
   readonly runner: Pick<Runner, 'loopsAround' | 'opened' | 'mergeMaps'>;
 }
 
-/** Width of a transition when it is switched on, as a part of the loop's length. */
-const STRIP = 0.08;
-
-export class MergeActions implements MergeService {
+export class MergeActions extends MergeShape implements MergeService {
   readonly aids: Aids;
   readonly #part: PartChoice;
-  /** What `finish` will call the edit under way. */
-  #live = '';
-
-  constructor(private readonly parts: Parts) {
+  constructor(protected override readonly parts: Parts) {
+    super(parts);
     this.aids = new Aids(parts.state.merge.sides);
     this.#part = new PartChoice(parts);
   }
@@ -59,7 +51,7 @@ export class MergeActions implements MergeService {
   }
 
   async changePart(): Promise<void> {
-    const step = this.#step;
+    const step = this.step;
     if (step) await this.#part.ask(step.target, step.id);
   }
 
@@ -73,12 +65,12 @@ export class MergeActions implements MergeService {
 
   setMark(mark: Mark, vertices: Uint32Array, label: string): void {
     const { state } = this.parts;
-    const step = this.#step;
+    const step = this.step;
     const count = this.#count(sideOfMark(mark));
     if (!step || count === 0) return;
     // Rough marks come in several strokes: they are merged when the button says so.
     if (step.boundaries.length > 0 || !isReady(step)) state.merge.held.value = step.id;
-    this.#commit(label, withMark(step, mark, fromIndices(vertices, count) as OptimalBoundary['feature']));
+    this.commit(label, withMark(step, mark, fromIndices(vertices, count) as OptimalBoundary['feature']));
   }
 
   clearMark(mark: Mark): void {
@@ -93,11 +85,11 @@ export class MergeActions implements MergeService {
 
   async merge(): Promise<void> {
     const { state } = this.parts;
-    const step = this.#step;
+    const step = this.step;
     if (!step) return;
     if (step.boundaries.length === 0) {
       const found = await this.#meeting(step, false);
-      if (this.#step !== step) return;
+      if (this.step !== step) return;
       this.#apply(step, found);
     }
     state.merge.problem.value = null;
@@ -105,17 +97,17 @@ export class MergeActions implements MergeService {
   }
 
   async cutAlongMarks(): Promise<void> {
-    const step = this.#step;
+    const step = this.step;
     if (!step) return;
     const found = await this.#meeting(step, true);
-    if (this.#step !== step) return;
+    if (this.step !== step) return;
     this.#apply(step, found);
     this.parts.state.merge.held.value = null;
   }
 
   pickLoop(side: MergeSide, loop: Loop): void {
     const { picked, held } = this.parts.state.merge;
-    const step = this.#step;
+    const step = this.step;
     const other = picked.peek();
     if (!step) return;
     if (!other || other.side === side) {
@@ -127,15 +119,15 @@ export class MergeActions implements MergeService {
     picked.value = null;
     held.value = null;
     const boundaries = [...withFoundKeys(step.boundaries, this.#foundKeys), boundary];
-    this.#commit(t('history.merge.pair'), withBoundaries(step, boundaries));
+    this.commit(t('history.merge.pair'), withBoundaries(step, boundaries));
   }
 
   removePair(index: number): void {
-    const step = this.#step;
+    const step = this.step;
     if (!step) return;
     const { transition: _, ...bare } = step;
     const boundaries = step.boundaries.filter((_, i) => i !== index);
-    this.#commit(
+    this.commit(
       t('history.merge.remove-pair'),
       boundaries.length > 0 ? { ...step, boundaries } : { ...bare, boundaries },
     );
@@ -148,7 +140,7 @@ export class MergeActions implements MergeService {
 
   /** The step's boundaries, the keys that were found written into them. */
   boundaries(): MergeStep['boundaries'] {
-    return withFoundKeys(this.#step?.boundaries ?? [], this.#foundKeys);
+    return withFoundKeys(this.step?.boundaries ?? [], this.#foundKeys);
   }
 
   removePin(number: number): void {
@@ -161,15 +153,15 @@ export class MergeActions implements MergeService {
   }
 
   setBoundaries(label: string, boundaries: MergeStep['boundaries'], pin: number | null): void {
-    const step = this.#step;
+    const step = this.step;
     if (!step) return;
     this.parts.state.merge.held.value = null;
-    this.#commit(label, { ...step, boundaries }, pin);
+    this.commit(label, { ...step, boundaries }, pin);
   }
 
   previewBoundaries(boundaries: MergeStep['boundaries'], pin: number | null): void {
     const { document } = this.parts;
-    const step = this.#step;
+    const step = this.step;
     if (!step) return;
     document.preview(withMergeStep(document.recipe, { ...step, boundaries }), {
       step: step.id,
@@ -177,54 +169,16 @@ export class MergeActions implements MergeService {
     });
   }
 
-  setMode(mode: MergeStep['mode']): void {
-    const step = this.#step;
-    if (step && step.mode !== mode) this.#commit(t('history.merge.mode'), { ...step, mode });
-  }
-
-  setSmoothing(smoothing: number, live = false): void {
-    const step = this.#step;
-    if (step) this.#set(t('history.merge.smoothing'), { ...step, smoothing }, live, 'smoothing');
-  }
-
-  setTransition(shares: Readonly<Record<MergeSide, number>> | null, live = false): void {
-    const step = this.#step;
-    if (!step) return;
-    const { transition: old, ...bare } = step;
-    if (!shares) {
-      this.#set(t('history.merge.transition-off'), bare, live, 'transition');
-      return;
-    }
-    const width = (side: MergeSide) => Number((shares[side] * this.#loopLength(step, side)).toPrecision(4));
-    const transition = {
-      sourceWidth: width('source'),
-      targetWidth: width('target'),
-      weight: old?.weight ?? 0.1,
-    };
-    this.#set(t('history.merge.transition'), { ...bare, transition }, live, 'transition');
-  }
-
-  /** Widths as parts of the loops' lengths; `STRIP` where there is no transition. */
-  transitionShares(): Readonly<Record<MergeSide, number>> {
-    const step = this.parts.state.mergeStep.value;
-    if (!step?.transition) return { source: STRIP, target: STRIP };
-    const { sourceWidth, targetWidth } = step.transition;
-    return {
-      source: sourceWidth / this.#loopLength(step, 'source'),
-      target: targetWidth / this.#loopLength(step, 'target'),
-    };
-  }
-
   setPlacement(placement: OptimalBoundary['placement']): void {
-    const step = this.#step;
+    const step = this.step;
     if (!step?.optimalBoundary) return;
     const { placement: _, ...marks } = step.optimalBoundary;
     const optimalBoundary = placement ? { ...marks, placement } : marks;
-    this.#commit(t('history.merge.placement'), { ...step, optimalBoundary });
+    this.commit(t('history.merge.placement'), { ...step, optimalBoundary });
   }
 
   async maps(): Promise<RegionMaps | null> {
-    const step = this.#step;
+    const step = this.step;
     if (!step?.optimalBoundary || !isReady(step)) return null;
     const { placement: _, ...marks } = step.optimalBoundary;
     try {
@@ -239,21 +193,6 @@ export class MergeActions implements MergeService {
     }
   }
 
-  finish(): void {
-    if (this.#live) this.parts.document.finish(this.#live);
-    this.#live = '';
-  }
-
-  cancel(): void {
-    this.#live = '';
-    this.parts.document.cancel();
-  }
-
-  get #step(): MergeStep | undefined {
-    const { document } = this.parts;
-    return mergeStepById(document.recipe, document.selection.step);
-  }
-
   /** Those that lie on the loops as they are now: the last merge may have been of others. */
   get #foundKeys() {
     const boundaries = this.parts.state.mergeStep.value?.boundaries ?? [];
@@ -265,14 +204,6 @@ export class MergeActions implements MergeService {
 
   #count(side: MergeSide): number {
     return (this.parts.state.merge.sides.peek()[side]?.model.positions.length ?? 0) / 3;
-  }
-
-  #loopLength(step: MergeStep, side: MergeSide): number {
-    const model = this.parts.state.merge.sides.peek()[side]?.model;
-    const lengths = step.boundaries.map((boundary) =>
-      model ? arcLengths(boundary[side], model.positions).at(-1)! : 1,
-    );
-    return Math.max(...lengths, 0) || 1;
   }
 
   /** @throws LissomError  where the marks say too little, in words that say what to do */
@@ -297,7 +228,7 @@ export class MergeActions implements MergeService {
   #apply(step: MergeStep, found: Meeting): void {
     if (found.kind === 'loops') {
       this.parts.state.tool.value = 'merge-pins';
-      this.#commit(t('history.merge.find'), withBoundaries(step, [...found.boundaries]));
+      this.commit(t('history.merge.find'), withBoundaries(step, [...found.boundaries]));
       return;
     }
     const next = MARKS.reduce((marked, mark) => {
@@ -309,19 +240,6 @@ export class MergeActions implements MergeService {
         ? marked
         : withMark(marked, mark, fromIndices(vertices, count) as OptimalBoundary['feature']);
     }, step);
-    if (next !== step) this.#commit(t('history.merge.find'), next);
-  }
-
-  #set(label: string, step: MergeStep, live: boolean, merge: string): void {
-    const { document } = this.parts;
-    if (live) {
-      this.#live = label;
-      document.preview(withMergeStep(document.recipe, step), document.selection);
-    } else this.#commit(label, step, document.selection.handle, `merge:${merge}`);
-  }
-
-  #commit(label: string, step: MergeStep, handle: number | null = null, merge?: string): void {
-    const { document } = this.parts;
-    document.commit(label, withMergeStep(document.recipe, step), { step: step.id, handle }, merge);
+    if (next !== step) this.commit(t('history.merge.find'), next);
   }
 }

@@ -33,7 +33,8 @@ export const markOf = (step: Pick<MergeStep, 'optimalBoundary'>, mark: Mark, cou
 export function withMark(step: MergeStep, mark: Mark, vertices: OptimalBoundary['feature']): MergeStep {
   const { transition: _, ...bare } = step;
   const { placement: __, ...marks } = step.optimalBoundary ?? NO_MARKS;
-  return { ...bare, boundaries: [], optimalBoundary: { ...marks, [FIELDS[mark]]: vertices } };
+  const optimalBoundary = { ...marks, [FIELDS[mark]]: vertices };
+  return { ...bare, mode: 'independent', roi: 'all', boundaries: [], optimalBoundary };
 }
 
 /** The step with loops to join instead of marks. */

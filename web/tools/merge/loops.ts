@@ -78,3 +78,18 @@ export function indexAt(lengths: Float64Array, length: number): number {
   }
   return best;
 }
+
+/** How far each vertex lies from the nearest of some others, straight through space. */
+export function distancesTo(positions: Float64Array, vertices: readonly number[]): Float64Array {
+  const off = new Float64Array(positions.length / 3);
+  for (let v = 0; v < off.length; v++) {
+    const [x, y, z] = [positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!];
+    let least = Infinity;
+    for (const w of vertices) {
+      const [a, b, c] = [positions[3 * w]! - x, positions[3 * w + 1]! - y, positions[3 * w + 2]! - z];
+      least = Math.min(least, a * a + b * b + c * c);
+    }
+    off[v] = Math.sqrt(least);
+  }
+  return off;
+}

@@ -1,0 +1,119 @@
+// How the open merge step merges: fitted or in place, how smooth, how far the models overlap.
+
+import { fromIndices, toIndices } from '../../core/vertex-set';
+import type { MergeStep } from '../../recipe/recipe';
+import { centroid, compose, decompose, IDENTITY } from '../../tools/geometry';
+import { arcLengths, distancesTo } from '../../tools/merge/loops';
+import type { MergeSide } from '../../tools/merge/pins';
+import type { Vec3 } from '../../view/types';
+import type { HandlePose } from '../api';
+import { t } from '../i18n';
+import { MergeEdits } from './edits';
+
+/** Width of a transition when it is switched on, as a part of the loop's length. */
+const STRIP = 0.08;
+/** How far a part merged in place gives way, likewise. */
+const REACH = 0.3;
+
+export class MergeShape extends MergeEdits {
+  /** In place, what lies beyond a strip along the loops is held where it is; fitted, nothing is. */
+  setMode(mode: MergeStep['mode']): void {
+    const step = this.step;
+    if (!step || step.mode === mode) return;
+    const roi = mode === 'dependent' ? this.#strip(step, REACH) : 'all';
+    this.commit(t('history.merge.mode'), { ...step, mode, roi });
+  }
+
+  setReach(share: number, live = false): void {
+    const step = this.step;
+    if (step) this.set(t('history.merge.reach'), { ...step, roi: this.#strip(step, share) }, live, 'reach');
+  }
+
+  reach(): number {
+    const step = this.parts.state.mergeStep.value;
+    const positions = this.#positions;
+    if (!step || !positions) return REACH;
+    const off = distancesTo(
+      positions,
+      step.boundaries.flatMap(({ source }) => source),
+    );
+    const most = toIndices(step.roi, off.length).reduce((far, v) => Math.max(far, off[v]!), 0);
+    return most / this.#loopLength(step, 'source');
+  }
+
+  pose(): HandlePose {
+    return decompose(this.parts.state.mergeStep.value?.pose ?? IDENTITY, this.#middle);
+  }
+
+  setPose(change: Partial<HandlePose>, live = false): void {
+    const step = this.step;
+    if (!step || !(Object.values(change).flat() as number[]).every(Number.isFinite)) return;
+    const pose = [...compose({ ...this.pose(), ...change }, this.#middle)];
+    this.set(t('history.merge.pose'), { ...step, pose }, live, 'pose');
+  }
+
+  setSmoothing(smoothing: number, live = false): void {
+    const step = this.step;
+    if (step) this.set(t('history.merge.smoothing'), { ...step, smoothing }, live, 'smoothing');
+  }
+
+  setTransition(shares: Readonly<Record<MergeSide, number>> | null, live = false): void {
+    const step = this.step;
+    if (!step) return;
+    const { transition: old, ...bare } = step;
+    if (!shares) {
+      this.set(t('history.merge.transition-off'), bare, live, 'transition');
+      return;
+    }
+    const width = (side: MergeSide) => Number((shares[side] * this.#loopLength(step, side)).toPrecision(4));
+    const transition = {
+      sourceWidth: width('source'),
+      targetWidth: width('target'),
+      weight: old?.weight ?? 0.1,
+    };
+    this.set(t('history.merge.transition'), { ...bare, transition }, live, 'transition');
+  }
+
+  /** Widths as parts of the loops' lengths; `STRIP` where there is no transition. */
+  transitionShares(): Readonly<Record<MergeSide, number>> {
+    const step = this.parts.state.mergeStep.value;
+    if (!step?.transition) return { source: STRIP, target: STRIP };
+    const { sourceWidth, targetWidth } = step.transition;
+    return {
+      source: sourceWidth / this.#loopLength(step, 'source'),
+      target: targetWidth / this.#loopLength(step, 'target'),
+    };
+  }
+
+  get #positions(): Float64Array | undefined {
+    return this.parts.state.merge.sides.value.source?.model.positions;
+  }
+
+  /** The part's vertices no farther from its loops than a share of their length. */
+  #strip(step: MergeStep, share: number): MergeStep['roi'] {
+    const positions = this.#positions;
+    if (!positions) return 'all';
+    const off = distancesTo(
+      positions,
+      step.boundaries.flatMap(({ source }) => source),
+    );
+    const limit = share * this.#loopLength(step, 'source');
+    const near = Uint32Array.from(off.keys()).filter((v) => off[v]! <= limit);
+    return fromIndices(near, off.length) as MergeStep['roi'];
+  }
+
+  /** Of the part. */
+  get #middle(): Vec3 {
+    const positions = this.#positions;
+    if (!positions) return [0, 0, 0];
+    return centroid(positions, new Uint32Array(positions.length / 3).keys());
+  }
+
+  #loopLength(step: MergeStep, side: MergeSide): number {
+    const model = this.parts.state.merge.sides.peek()[side]?.model;
+    const lengths = step.boundaries.map((boundary) =>
+      model ? arcLengths(boundary[side], model.positions).at(-1)! : 1,
+    );
+    return Math.max(...lengths, 0) || 1;
+  }
+}
