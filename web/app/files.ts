@@ -26,6 +26,8 @@ const MIME: Readonly<Record<ExportFormat, string>> = {
 };
 /** Pixels along the longer side of a picture. */
 const PICTURE = 3840;
+/** A slow machine settles for a coarser picture after so many ms. */
+const PATIENCE = 15_000;
 
 export interface FileParts {
   readonly state: State;
@@ -135,7 +137,11 @@ export class Files implements FileService {
       const onProgress = (fraction: number) => {
         state.busy.value = { label: t('busy.picture'), fraction, cancel };
       };
-      const png = await viewport.screenshot(width, height, { onProgress, signal: stop.signal });
+      const png = await viewport.screenshot(width, height, {
+        onProgress,
+        patience: PATIENCE,
+        signal: stop.signal,
+      });
       return { bytes: pictureOf(new Uint8Array(await png.arrayBuffer()), recipe) };
     });
   }

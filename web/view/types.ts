@@ -111,6 +111,8 @@ export interface GizmoEvents {
 export interface PictureOptions {
   /** Pictures averaged: smoother hair and edges, and that much longer. */
   readonly samples?: number;
+  /** After so many ms a few will do. */
+  readonly patience?: number;
   /** @param fraction  in [0, 1] */
   readonly onProgress?: (fraction: number) => void;
   readonly signal?: AbortSignal;

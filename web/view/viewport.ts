@@ -64,6 +64,8 @@ const BRUSH_ADDS = '#ffffff';
 const BRUSH_ERASES = '#ff7a72';
 /** Pictures that make one to keep. */
 const SCREENSHOT_SAMPLES = 32;
+/** Fewer show strands as dots. */
+const FEWEST = 4;
 /** A page that is not looked at draws no frames, but goes on after so many ms. */
 const UNSEEN = 200;
 const DEFAULT_DISPLAY: DisplayOptions = {
@@ -360,13 +362,15 @@ export class Viewport implements ViewportPort {
 
   async screenshot(width: number, height: number, options: PictureOptions = {}): Promise<Blob> {
     const { samples: wanted = this.options.test ? 1 : SCREENSHOT_SAMPLES, onProgress, signal } = options;
+    const { patience = Infinity } = options;
     const samples = StillPicture.possible(this.#renderer) ? wanted : 1;
     const copy = document.createElement('canvas');
     Object.assign(copy, { width, height });
     const still = new StillPicture();
-    let [stirs, taken] = [this.#stirs, 0];
+    const begun = performance.now();
+    let [stirs, taken, done] = [this.#stirs, 0, false];
     try {
-      while (taken < samples) {
+      while (!done) {
         signal?.throwIfAborted();
         // What has been drawn so far was another picture.
         if (stirs !== this.#stirs) {
@@ -376,10 +380,12 @@ export class Viewport implements ViewportPort {
         this.#drawAside(width, height, () => {
           if (samples > 1) still.take(this.#renderer, this.#rig.camera, (frame) => this.#render(frame));
           else this.#render(1);
-          if (++taken === samples) copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
+          taken++;
+          done = taken >= samples || (taken >= FEWEST && performance.now() - begun > patience);
+          if (done) copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
         });
         onProgress?.(taken / samples);
-        if (taken < samples) await breath();
+        if (!done) await breath();
       }
     } finally {
       still.dispose();
