@@ -116,6 +116,57 @@ TEST_CASE("inside a transition the detail lies between that of the two inputs, a
     CHECK(strength.back() < 0.15 * full); // beyond the transition the source is as smooth as it was
 }
 
+TEST_CASE("keys come to lie at the same place of both squares, and nothing folds") {
+    const std::vector<BoundaryLoop> loops{{first(40), {}}};
+    const Part part = cut_part(tube(24, 40, bowl, false), loops, "target");
+    Part rest;
+    const Strip strip = cut_strip(part, 0, 0.4, "target", rest);
+    const int key = strip.near[10];
+    CHECK(fraction_from(strip, strip.near[0], false, key) == doctest::Approx(0.25));
+    const SquareMap map = square_map(strip, strip.near[0], false, {{key, 0.4}});
+    CHECK(map.points(key, 0) == doctest::Approx(0.4));
+    CHECK(map.points(across_from(strip, key), 0) == doctest::Approx(0.4));
+    CHECK(map.points(strip.near[5], 0) == doctest::Approx(0.2));
+    for (int t = 0; t < map.triangles.rows(); ++t) {
+        const Eigen::RowVector2d a = map.points.row(map.triangles(t, 0)), b = map.points.row(map.triangles(t, 1)), c = map.points.row(map.triangles(t, 2));
+        CHECK((b - a).x() * (c - a).y() - (b - a).y() * (c - a).x() > 0);
+    }
+}
+
+TEST_CASE("mean curvature varies inside a transition more than on the smooth input and less than on the ribbed one") {
+    const int m = 72;
+    const TriangleMesh source = tube(40, m, [](double s, double t) { return Eigen::Vector3d((1 - s * s * s) * std::cos(t), 2 * s, (1 - s * s * s) * std::sin(t)); });
+    const TriangleMesh target_mesh = tube(40, m, ribbed, false);
+    const WorkingMesh from = shapes::working(source), target = shapes::working(target_mesh);
+    const MergeResult blended = merged(from, target, {tube_loops(m, m)}, {{{0, 0}, {m / 2, m / 2}}}, {.transition = Transition{0.6, 0.8}});
+    const TriangleMesh mesh = mesh_of(blended.model, source, target_mesh);
+    // Relative to the radius, so that the two tubes' sizes do not matter: rows 2 to 10 are well inside.
+    const auto variation = [&](const TriangleMesh& on, auto vertex) {
+        const Points normal = (cotangent_laplacian(on) * on.points).array().colwise() / vertex_areas(on).array();
+        double sum = 0;
+        for (int row = 2; row <= 10; ++row) {
+            double radius = 0, mean = 0, square = 0;
+            for (int j = 0; j < m; ++j) {
+                const int v = vertex(row * m + j);
+                radius += std::hypot(on.points(v, 0), on.points(v, 2)) / m;
+                const double H = normal.row(v).norm() / 2;
+                mean += H / m;
+                square += H * H / m;
+            }
+            sum += radius * std::sqrt(std::max(0.0, square - mean * mean));
+        }
+        return sum / 9;
+    };
+    const double smooth = variation(source, [](int v) { return v; });
+    const double full = variation(target_mesh, [](int v) { return v; });
+    const double inside = variation(mesh, [&](int v) { return blended.model.source.result_of_vertex[v]; });
+    CAPTURE(smooth);
+    CAPTURE(inside);
+    CAPTURE(full);
+    CHECK(inside > smooth);
+    CHECK(inside < full);
+}
+
 TEST_CASE("in dependent merging handles stay where they are and the boundary comes to them") {
     const TriangleMesh source_mesh = tube(30, 32, dome), target_mesh = tube(24, 40, bowl, false);
     const WorkingMesh source = shapes::working(source_mesh), target = shapes::working(target_mesh);

@@ -93,8 +93,16 @@ Points MergeSession::State::details(std::span<const MergeKeys> keys, bool turned
             return strip.near.front();
         };
         const auto [s, t] = keys[k].front();
-        const SquareMap own_map = square_map(own, start(own, source.working_of_source[s]), turned);
-        const SquareMap other_map = square_map(other, start(other, target.working_of_source[t]), true);
+        const int own_start = start(own, source.working_of_source[s]), other_start = start(other, target.working_of_source[t]);
+        std::vector<SquareAnchor> own_anchors, other_anchors; // the other keys come to lie at the same u in both
+        for (std::size_t a = 1; a < keys[k].size(); ++a) {
+            const int near = start(own, source.working_of_source[keys[k][a].first]);
+            const double u = fraction_from(own, own_start, turned, near);
+            own_anchors.push_back({near, u});
+            other_anchors.push_back({start(other, target.working_of_source[keys[k][a].second]), u});
+        }
+        const SquareMap own_map = square_map(own, own_start, turned, own_anchors);
+        const SquareMap other_map = square_map(other, other_start, true, other_anchors);
         const PlaneLocator locator(other_map.points, other_map.triangles);
         for (std::size_t b = 0; b < blended.size(); ++b) {
             if (blended[b].first != k) continue;

@@ -222,6 +222,29 @@ std::vector<double> fractions(const Points& points, const std::vector<int>& line
     return at;
 }
 
+/// The line from `first` on, in the direction asked for.
+std::vector<int> turned_to(std::vector<int> line, int first, bool backwards) {
+    if (backwards) std::reverse(line.begin(), line.end());
+    std::rotate(line.begin(), std::find(line.begin(), line.end(), first), line.end());
+    return line;
+}
+
+/// Bends fractions, ascending from 0 to 1, so that they pass through what is known of them, straight in between.
+void through_anchors(std::vector<double>& u, std::vector<std::pair<double, double>> known) {
+    std::sort(known.begin(), known.end());
+    std::vector<std::pair<double, double>> kept{{0, 0}};
+    for (const auto& [from, to] : known)
+        if (from > kept.back().first && to > kept.back().second && from < 1 && to < 1) kept.emplace_back(from, to);
+    kept.emplace_back(1, 1);
+    for (double& x : u) {
+        std::size_t k = 1;
+        while (k + 1 < kept.size() && x > kept[k].first) ++k;
+        const auto& [a, b] = kept[k - 1];
+        const auto& [c, d] = kept[k];
+        x = b + (d - b) * (x - a) / (c - a);
+    }
+}
+
 } // namespace
 
 Strip cut_strip(const Part& part, int loop, double width, const std::string& name, Part& rest) {
@@ -233,16 +256,29 @@ int across_from(const Strip& strip, int start) {
     return path.empty() ? -1 : path.back();
 }
 
-SquareMap square_map(const Strip& strip, int start, bool backwards) {
+double fraction_from(const Strip& strip, int start, bool backwards, int near) {
+    const std::vector<int> line = turned_to(strip.near, start, backwards);
+    const auto at = std::find(line.begin(), line.end(), near) - line.begin();
+    return fractions(strip.mesh.points, line)[static_cast<std::size_t>(at)];
+}
+
+SquareMap square_map(const Strip& strip, int start, bool backwards, const std::vector<SquareAnchor>& anchors) {
     const std::vector<int> path = path_across(strip.mesh, strip.near, strip.far, start);
     if (path.empty()) throw InvalidInput("transition-not-a-ring", "There is no way across the transition region from one of the keys. Choose another width.");
     const SlitRing slit = slit_ring(strip.mesh, path);
     std::vector<int> fixed;
     std::vector<Eigen::RowVector2d> where;
-    const auto walk = [&](std::vector<int> line, int first, double v) {
-        if (backwards) std::reverse(line.begin(), line.end());
-        std::rotate(line.begin(), std::find(line.begin(), line.end(), first), line.end());
-        const std::vector<double> u = fractions(strip.mesh.points, line);
+    std::vector<int> ends;
+    for (const SquareAnchor& anchor : anchors) ends.push_back(across_from(strip, anchor.near));
+    const auto walk = [&](const std::vector<int>& loop, int first, double v) {
+        const std::vector<int> line = turned_to(loop, first, backwards);
+        std::vector<double> u = fractions(strip.mesh.points, line);
+        std::vector<std::pair<double, double>> known;
+        for (std::size_t a = 0; a < anchors.size(); ++a) {
+            const auto at = std::find(line.begin(), line.end(), v == 0 ? anchors[a].near : ends[a]) - line.begin();
+            if (at > 0 && at < std::ssize(line)) known.emplace_back(u[static_cast<std::size_t>(at)], anchors[a].u);
+        }
+        through_anchors(u, std::move(known));
         for (std::size_t i = 1; i < line.size(); ++i) { // the first stands on the path, in two copies
             fixed.push_back(line[i]);
             where.emplace_back(u[i], v);

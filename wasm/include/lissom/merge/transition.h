@@ -32,9 +32,19 @@ struct SquareMap {
     PlanePoints points;
 };
 
+/// A place of the loop that is given its u; the line has the same u where the shortest path across from there ends.
+struct SquareAnchor {
+    int near = -1; ///< vertex of `strip.near`
+    double u = 0;  ///< in (0, 1)
+};
+
 /// @param start      vertex of `strip.near`
 /// @param backwards  u runs against the loop
-[[nodiscard]] SquareMap square_map(const Strip& strip, int start, bool backwards);
+/// @param anchors    between them u grows by length; those that would make it fall are left out
+[[nodiscard]] SquareMap square_map(const Strip& strip, int start, bool backwards, const std::vector<SquareAnchor>& anchors = {});
+
+/// How far round the loop a vertex of it lies from another: a fraction of its length.
+[[nodiscard]] double fraction_from(const Strip& strip, int start, bool backwards, int near);
 
 /// The vertex of `far` that the shortest path across from a vertex of `near` ends at.
 [[nodiscard]] int across_from(const Strip& strip, int start);
