@@ -209,6 +209,9 @@ test('merged in place, the part stands where the numbers put it', async () => {
   const tab = await lidChosen();
   await tab.app.commands.run('merge.run');
   tab.app.merge.setMode('dependent');
+  // At first over the target's opening, as large as that.
+  const [size] = tab.app.merge.pose().scale;
+  expect(size).toBeCloseTo(1.4, 1);
   const top = async (y: number): Promise<number> => {
     tab.app.merge.setPose({ translation: [0, y, 0] }, true);
     tab.app.merge.finish();

@@ -1,8 +1,9 @@
 // How the open merge step merges: fitted or in place, how smooth, how far the models overlap.
 
+import type { Model } from '../../core/model';
 import { fromIndices, toIndices } from '../../core/vertex-set';
 import type { MergeStep } from '../../recipe/recipe';
-import { centroid, compose, decompose, IDENTITY } from '../../tools/geometry';
+import { centroid, compose, decompose, IDENTITY, subtract } from '../../tools/geometry';
 import { arcLengths, distancesTo } from '../../tools/merge/loops';
 import type { MergeSide } from '../../tools/merge/pins';
 import type { Vec3 } from '../../view/types';
@@ -20,8 +21,12 @@ export class MergeShape extends MergeEdits {
   setMode(mode: MergeStep['mode']): void {
     const step = this.step;
     if (!step || step.mode === mode) return;
-    const roi = mode === 'dependent' ? this.#strip(step, REACH) : 'all';
-    this.commit(t('history.merge.mode'), { ...step, mode, roi });
+    const { pose, ...bare } = step;
+    if (mode === 'independent') this.commit(t('history.merge.mode'), { ...bare, mode, roi: 'all' });
+    else {
+      const placed = { pose: pose ?? this.#onTarget(step), roi: this.#strip(step, REACH) };
+      this.commit(t('history.merge.mode'), { ...bare, mode, ...placed });
+    }
   }
 
   setReach(share: number, live = false): void {
@@ -87,6 +92,22 @@ export class MergeShape extends MergeEdits {
 
   get #positions(): Float64Array | undefined {
     return this.parts.state.merge.sides.value.source?.model.positions;
+  }
+
+  /** The part as large as the target's loops ask for, its loops around theirs: where one starts to place it. */
+  #onTarget(step: MergeStep): number[] {
+    const { source, target } = this.parts.state.merge.sides.peek();
+    if (!source || !target) return [...IDENTITY];
+    const middleOf = (side: MergeSide, { positions }: Model): Vec3 =>
+      centroid(
+        positions,
+        step.boundaries.flatMap((boundary) => boundary[side]),
+      );
+    const [from, to] = [middleOf('source', source.model), middleOf('target', target.model)];
+    const size = this.#loopLength(step, 'target') / this.#loopLength(step, 'source');
+    const still = { translation: [0, 0, 0], rotation: [0, 0, 0] } as const;
+    const translation = subtract(to, from);
+    return [...compose({ ...still, translation, scale: [size, size, size] }, from)];
   }
 
   /** The part's vertices no farther from its loops than a share of their length. */
