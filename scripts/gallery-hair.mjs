@@ -437,7 +437,7 @@ function bob(hand) {
     length: { max: 0.25, variation: 0.05, map: hand.cutAt(0.07, 0.25) },
     volume: 0.012,
     detail: { clump: 0.35, frizz: 0.1, flyaways: 0.01 },
-    material: { melanin: 0.97, redness: 0.05, colorVariation: 0.1 },
+    material: { melanin: 0.92, redness: 0.1, colorVariation: 0.15 },
   };
 }
 
@@ -691,7 +691,7 @@ function curly(hand) {
     }
   return {
     streams: both(streams),
-    length: { max: 0.11, variation: 0.3 },
+    length: { max: 0.085, variation: 0.3 },
     volume: 0.02,
     detail: { clump: 0.55, curl: 0.55, curlLength: 0.03, frizz: 0.5, flyaways: 0.04 },
     material: { melanin: 0.85, redness: 0.15 },

@@ -319,7 +319,7 @@ TEST_CASE("curls are round: a strand has at least ten points for each of their t
     growth.length = 0.1;
     growth.length_variation = 0;
     for (const double turn : {0.02, 0.0005}) {
-        const Strands hair = grown(*session, 0, 200, growth, {0, 0.1, turn, 0, 0}).strands;
+        const Strands hair = grown(*session, 0, 200, growth, {0, 0.8, turn, 0, 0}).strands;
         for (int i = 0; i < hair.count(); ++i) {
             const auto points = hair.offsets[static_cast<std::size_t>(i) + 1] - hair.offsets[static_cast<std::size_t>(i)];
             CHECK(points <= 255);

@@ -20,6 +20,8 @@ enum Purpose : std::uint64_t { in_clump = 20, in_phase, in_turn, in_radius, in_f
 // Sizes in head heights.
 constexpr double k_curl_radius = 0.04, k_curl_length = 0.16, k_curl_rise = 0.25;
 constexpr double k_turn_least = 0.8, k_turn_spread = 0.4; // turns of a clump, as shares of their length
+constexpr double k_radius_least = 0.7, k_radius_of_clump = 0.4, k_radius_own = 0.3; // and their radii
+constexpr double k_radius_most = k_radius_least + k_radius_of_clump + k_radius_own;
 constexpr double k_frizz_size = 0.014, k_frizz_length = 0.05, k_frizz_rise = 0.12;
 constexpr double k_flyaway_size = 0.045, k_flyaway_length = 0.3;
 constexpr double k_clearance = 0.003, k_apart = 0.12;
@@ -45,7 +47,9 @@ Vector3d noise(double t, std::uint64_t seed, std::uint64_t strand, std::uint64_t
 
 std::optional<double> shortest_turn(const DetailOptions& options, double head_height) {
     if (!(options.curl > 0) || (options.curl_length && !(*options.curl_length > 0))) return {};
-    return k_turn_least * options.curl_length.value_or(k_curl_length * head_height);
+    const double turn = k_turn_least * options.curl_length.value_or(k_curl_length * head_height);
+    const double slope = 2 * std::numbers::pi * k_radius_most * options.curl * k_curl_radius * head_height / turn;
+    return turn * std::min(2.0, std::sqrt(1 + slope * slope) / slope);
 }
 
 StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, const PartingGuard& partings,
@@ -88,7 +92,7 @@ void StrandDetail::curl(Strand& strand, std::uint64_t index, std::uint64_t clump
     const double turn = options_.curl_length.value_or(k_curl_length * h) * (k_turn_least + k_turn_spread * chance(seed_, clump, in_turn));
     const double phase = chance(seed_, clump, in_phase) + 0.15 * chance(seed_, index, in_phase);
     const double radius = options_.curl * k_curl_radius * h *
-                          (0.7 + 0.4 * chance(seed_, clump, in_radius) + 0.3 * chance(seed_, index, in_radius));
+                          (k_radius_least + k_radius_of_clump * chance(seed_, clump, in_radius) + k_radius_own * chance(seed_, index, in_radius));
     const double hand = hash_bits(seed_, clump, in_shape) & 1 ? 1 : -1;
     const std::vector<Vector3d> line = strand.points;
     Vector3d across = strand.root.normal;

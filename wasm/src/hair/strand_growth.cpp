@@ -21,6 +21,7 @@ constexpr double k_clearance = 0.003;  // of the head height: nearest to the ski
 constexpr double k_lift = 0.35;        // steepest rise off the skin, per unit of length
 
 constexpr double k_turn = 12;          // points for one turn of a wave
+constexpr double k_enough = 0.25;      // of a piece that may be lacking, rather than twice the points
 constexpr double k_ahead = 2.5, k_over = 0.7; // how many segments ahead a strand looks, and its steepest rise then
 
 constexpr double k_lock = 0.05;        // of the head height: hair that ends together
@@ -73,7 +74,7 @@ StrandGrowth::StrandGrowth(const HairVolume& volume, const HeadDistance& head, c
     double longest = length_;
     for (const float factor : options_.length_map) longest = std::max(longest, length_ * static_cast<double>(factor));
     const double most = (max_points - 1) / std::min<double>(max_points - 1, std::ceil(longest / segment_));
-    pieces_ = static_cast<int>(std::clamp(std::ceil(k_turn * segment_ / *options_.wave), 1.0, std::floor(most)));
+    pieces_ = static_cast<int>(std::clamp(std::ceil(k_turn * segment_ / *options_.wave - k_enough), 1.0, std::floor(most)));
 }
 
 Root StrandGrowth::root_of(std::uint64_t index) const {

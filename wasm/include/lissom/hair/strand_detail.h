@@ -14,7 +14,8 @@ struct DetailOptions {
     double flyaways = 0.02;            ///< 0..1: share of strands that stand off
 };
 
-/// The shortest turn of the curls that `options` ask for, head units; none without curls.
+/// The shortest turn of the curls that `options` ask for, head units, up to twice that where they are so shallow that
+/// a strand hardly changes its direction; none without curls.
 [[nodiscard]] std::optional<double> shortest_turn(const DetailOptions& options, double head_height);
 
 /// Adds detail to grown strands, each from its own number: the same strand whatever is grown beside it.
