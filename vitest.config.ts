@@ -6,5 +6,6 @@ export default defineConfig({
     include: ['tests/**/*.test.{ts,tsx}'],
     exclude: ['tests/e2e/**', 'tests/wasm/**'],
     testTimeout: 30_000,
+    hookTimeout: 60_000,
   },
 });

@@ -134,7 +134,7 @@ describe.each(NAMES)('%s', (name) => {
   let made: Run;
   beforeAll(async () => {
     made = await run(name);
-  }, 60_000);
+  });
 
   test('is one closed, consistently oriented surface of the Euler characteristic predicted', () => {
     expect(topologyOf(made.model)).toEqual({ twice: 0, open: 0, pieces: 1, euler: EULER[name] });
