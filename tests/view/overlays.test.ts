@@ -33,7 +33,8 @@ describe('the heat map', () => {
 
 describe('the wireframe', () => {
   const edgesOf = (faces: readonly (readonly number[])[], count: number): string[] => {
-    const offsets = faces.reduce<number[]>((sums, face) => [...sums, sums.at(-1)! + face.length], [0]);
+    const offsets = [0];
+    for (const face of faces) offsets.push(offsets.at(-1)! + face.length);
     const edges = polygonEdges(Uint32Array.from(offsets), Uint32Array.from(faces.flat()), count);
     return Array.from({ length: edges.length / 2 }, (_, e) => `${edges[2 * e]}-${edges[2 * e + 1]}`).sort();
   };

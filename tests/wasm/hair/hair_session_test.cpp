@@ -329,7 +329,8 @@ TEST_CASE("curls are round: a strand has at least ten points for each of their t
 }
 
 TEST_CASE("a refined strand passes through the points it had, at an even pace on a straight line") {
-    Strand strand{{}, {}, 0.3, {}};
+    const Vector3d root = Vector3d::Zero(), up = Vector3d::UnitY();
+    Strand strand{{0, 0, 0, root, up}, {}, 0.3, {}};
     for (int k = 0; k < 5; ++k) strand.points.push_back({0.3 * k, 0, 0});
     const Strand fine = refined(strand, 3);
     REQUIRE(fine.points.size() == 13);

@@ -2,10 +2,11 @@ import { primitivesOf } from '../../tools/hair/style';
 import type { Command } from '../commands';
 import type { HairShow } from '../hair/state';
 import type { MessageKey } from '../i18n';
-import type { TOOLS } from '../state';
 import type { CommandContext } from './context';
+import { pickTool } from './pick-tool';
 
-export function hairCommands({ state, document, hair, gestures, viewport }: CommandContext): Command[] {
+export function hairCommands(context: CommandContext): Command[] {
+  const { state, document, hair, viewport } = context;
   const workspace = 'hair';
   const group = 'hair';
   const index = () => state.selection.value.handle;
@@ -15,20 +16,9 @@ export function hairCommands({ state, document, hair, gestures, viewport }: Comm
     const at = index();
     if (at !== null) act(at);
   };
-  const tool = (id: (typeof TOOLS)['hair'][number], icon: string, keys: readonly string[]): Command => ({
-    id: `tool.${id}`,
-    group: 'tool',
-    workspace,
-    title: `command.tool.${id}` satisfies MessageKey,
-    icon,
-    keys,
-    checked: () => state.tool.value === id,
-    run: () => {
-      gestures.cancel();
-      state.tool.value = id;
-      // Whoever reaches for this one means to click a curve.
-      if (id === 'hair-select') state.hair.show.value = { ...state.hair.show.peek(), curves: true };
-    },
+  const tool = pickTool(workspace, context, (id) => {
+    // Whoever reaches for this one means to click a curve.
+    if (id === 'hair-select') state.hair.show.value = { ...state.hair.show.peek(), curves: true };
   });
   const next = (by: number) => () => {
     const count = primitives().length;

@@ -1,26 +1,14 @@
 import type { Command } from '../commands';
-import type { MessageKey } from '../i18n';
-import type { TOOLS } from '../state';
 import type { CommandContext } from './context';
+import { pickTool } from './pick-tool';
 
-export function mergeCommands({ state, merge, document, workspaces, gestures }: CommandContext): Command[] {
+export function mergeCommands(context: CommandContext): Command[] {
+  const { state, merge, document, workspaces } = context;
   const workspace = 'merge';
   const group = 'merge';
   const open = () => state.mergeStep.value !== undefined && !state.choosing.value;
   const pin = () => state.selection.value.handle;
-  const tool = (id: (typeof TOOLS)['merge'][number], icon: string, keys: readonly string[]): Command => ({
-    id: `tool.${id}`,
-    group: 'tool',
-    workspace,
-    title: `command.tool.${id}` satisfies MessageKey,
-    icon,
-    keys,
-    checked: () => state.tool.value === id,
-    run: () => {
-      gestures.cancel();
-      state.tool.value = id;
-    },
-  });
+  const tool = pickTool(workspace, context);
   return [
     tool('merge-pins', 'map-pin', ['V']),
     tool('mark-region', 'paintbrush', ['B']),

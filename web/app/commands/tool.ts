@@ -1,29 +1,17 @@
 import type { Command } from '../commands';
-import type { MessageKey } from '../i18n';
-import type { TOOLS } from '../state';
 import type { CommandContext } from './context';
+import { pickTool } from './pick-tool';
 
 /** Each press of [ or ] changes the brush by this factor. */
 const STEP = 1.2;
 const SMALLEST = 2;
 const LARGEST = 400;
 
-export function toolCommands({ state, deform, gestures }: CommandContext): Command[] {
+export function toolCommands(context: CommandContext): Command[] {
+  const { state, deform } = context;
   const group = 'tool';
   const workspace = 'deform';
-  const tool = (id: (typeof TOOLS)['deform'][number], icon: string, keys: readonly string[]): Command => ({
-    id: `tool.${id}`,
-    group,
-    workspace,
-    title: `command.tool.${id}` satisfies MessageKey,
-    icon,
-    keys,
-    checked: () => state.tool.value === id,
-    run: () => {
-      gestures.cancel();
-      state.tool.value = id;
-    },
-  });
+  const tool = pickTool(workspace, context);
   const resize = (factor: number) => () => {
     state.brushSize.value = Math.min(LARGEST, Math.max(SMALLEST, Math.round(state.brushSize.value * factor)));
   };

@@ -11,6 +11,7 @@ import type { HairPatch, HairService } from '../api';
 import type { Document } from '../document';
 import type { Evaluator } from '../evaluation';
 import { t } from '../i18n';
+import { LiveEdit } from '../live-edit';
 import type { ModelStore } from '../model-store';
 import type { State } from '../state';
 import { fitted } from './refit';
@@ -25,10 +26,11 @@ interface Parts {
 }
 
 export class HairActions implements HairService {
-  /** What `finish` will call the edit under way. */
-  #live = '';
+  readonly #live: LiveEdit;
 
-  constructor(private readonly parts: Parts) {}
+  constructor(private readonly parts: Parts) {
+    this.#live = new LiveEdit(parts.document);
+  }
 
   select(primitive: number | null): void {
     const { document } = this.parts;
@@ -93,13 +95,11 @@ export class HairActions implements HairService {
   }
 
   finish(): void {
-    if (this.#live) this.parts.document.finish(this.#live);
-    this.#live = '';
+    this.#live.finish();
   }
 
   cancel(): void {
-    this.#live = '';
-    this.parts.document.cancel();
+    this.#live.cancel();
   }
 
   newSeed(): void {
@@ -172,10 +172,9 @@ export class HairActions implements HairService {
 
   #apply(label: string, step: HairStep, selected: number | null, live: boolean, merge: string): void {
     const { document } = this.parts;
-    if (live) {
-      this.#live = label;
-      document.preview(withHairStep(document.recipe, step), { step: step.id, handle: selected });
-    } else this.#commit(label, step, selected, merge);
+    if (live)
+      this.#live.preview(label, withHairStep(document.recipe, step), { step: step.id, handle: selected });
+    else this.#commit(label, step, selected, merge);
   }
 
   #commit(label: string, step: HairStep, handle: number | null, merge?: string): void {

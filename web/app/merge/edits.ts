@@ -1,5 +1,6 @@
 import type { MergeStep } from '../../recipe/recipe';
 import type { Document } from '../document';
+import { LiveEdit } from '../live-edit';
 import type { State } from '../state';
 import { mergeStepById, withMergeStep } from './steps';
 
@@ -10,10 +11,11 @@ export interface EditParts {
 
 /** What all edits of the open merge step have in common: one step of undo each, or a preview that is finished later. */
 export abstract class MergeEdits {
-  /** What `finish` will call the edit under way. */
-  #live = '';
+  readonly #live: LiveEdit;
 
-  constructor(protected readonly parts: EditParts) {}
+  constructor(protected readonly parts: EditParts) {
+    this.#live = new LiveEdit(parts.document);
+  }
 
   protected get step(): MergeStep | undefined {
     const { document } = this.parts;
@@ -21,21 +23,17 @@ export abstract class MergeEdits {
   }
 
   finish(): void {
-    if (this.#live) this.parts.document.finish(this.#live);
-    this.#live = '';
+    this.#live.finish();
   }
 
   cancel(): void {
-    this.#live = '';
-    this.parts.document.cancel();
+    this.#live.cancel();
   }
 
   protected set(label: string, step: MergeStep, live: boolean, merge: string): void {
     const { document } = this.parts;
-    if (live) {
-      this.#live = label;
-      document.preview(withMergeStep(document.recipe, step), document.selection);
-    } else this.commit(label, step, document.selection.handle, `merge:${merge}`);
+    if (live) this.#live.preview(label, withMergeStep(document.recipe, step), document.selection);
+    else this.commit(label, step, document.selection.handle, `merge:${merge}`);
   }
 
   protected commit(label: string, step: MergeStep, handle: number | null = null, merge?: string): void {
