@@ -11,7 +11,7 @@ test.describe('a style that was drawn', () => {
     browser,
   }) => {
     const { page } = desk;
-    const count = 800;
+    const count = 400;
     await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
     await enter(desk, count);
     await drawAt(desk, [0.02, -0.55], [0.22, -0.45], [0.34, -0.15], [0.36, 0.15]);

@@ -1,7 +1,7 @@
 import { expect, SIZE, test } from './desk';
 import { along, beside, draw, drawAt, enter, grownHere, hair, type Spot, spots, type } from './hair-desk';
 
-const COUNT = 1500;
+const COUNT = 500;
 /** From above the forehead down one side, as the head is seen at first. */
 const SIDE: readonly Spot[] = [
   [0.02, -0.55],
