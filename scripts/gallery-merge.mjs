@@ -2,6 +2,7 @@
 // scripts/gallery.mjs.
 
 import { readPly } from './lib/ply.mjs';
+import { setOf } from './lib/vertex-set.mjs';
 
 /** Directions along which a vertex can lie farthest. */
 const [UP, DOWN, FRONT, BACK] = [
@@ -57,16 +58,6 @@ class Shape {
   around(inside) {
     return this.loops(inside).reduce((a, b) => (b.length > a.length ? b : a));
   }
-}
-
-/** Vertices in the recipe's shortest form. */
-function setOf(chosen) {
-  const ranges = [];
-  for (const v of chosen) {
-    if (ranges.at(-1)?.[1] === v - 1) ranges.at(-1)[1] = v;
-    else ranges.push([v, v]);
-  }
-  return ranges.length * 2 < chosen.length ? { ranges } : chosen;
 }
 
 const recipe = (source, target, step) => ({

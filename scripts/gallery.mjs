@@ -1,9 +1,11 @@
 // Writes public/gallery/index.json and the gallery's recipes: vertex sets are picked by geometry here, so that
 // the recipes can be made again when a model changes. Run by hand: node scripts/gallery.mjs
 
-import { readFileSync, writeFileSync } from 'node:fs';
+import { writeFileSync } from 'node:fs';
 import { hairExamples } from './gallery-hair.mjs';
 import { mergeExamples } from './gallery-merge.mjs';
+import { readPly } from './lib/ply.mjs';
+import { setOf } from './lib/vertex-set.mjs';
 
 const folder = new URL('../public/gallery/', import.meta.url);
 const OWN = 'Own work, CC0 1.0';
@@ -27,33 +29,10 @@ const models = [
   ['head-elf', 'Head, elf', HUMAN],
 ];
 
-/** Positions of a binary little-endian PLY whose vertices begin with float x, y, z. */
-function positionsOf(name) {
-  const bytes = readFileSync(new URL(`${name}.ply`, folder));
-  const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
-  const header = bytes.subarray(0, end).toString('latin1');
-  const count = Number(/element vertex (\d+)/.exec(header)[1]);
-  const properties = [...header.split('element face')[0].matchAll(/property (\w+) \w+/g)].map(
-    ([, type]) => type,
-  );
-  const sizes = { float: 4, double: 8, uchar: 1 };
-  const stride = properties.reduce((sum, type) => sum + sizes[type], 0);
-  const [size, read] = properties[0] === 'double' ? [8, 'readDoubleLE'] : [4, 'readFloatLE'];
-  return Array.from({ length: count }, (_, v) =>
-    [0, 1, 2].map((k) => bytes[read](end + v * stride + k * size)),
-  );
-}
+const positionsOf = (name) => readPly(new URL(`${name}.ply`, folder)).points;
 
-/** The vertices for which `inside(x, y, z)` holds, in the recipe's shortest form. */
-function pick(points, inside) {
-  const chosen = points.flatMap(([x, y, z], v) => (inside(x, y, z) ? [v] : []));
-  const ranges = [];
-  for (const v of chosen) {
-    if (ranges.at(-1)?.[1] === v - 1) ranges.at(-1)[1] = v;
-    else ranges.push([v, v]);
-  }
-  return ranges.length * 2 < chosen.length ? { ranges } : chosen;
-}
+/** The vertices for which `inside(x, y, z)` holds. */
+const pick = (points, inside) => setOf(points.flatMap((point, v) => (inside(...point) ? [v] : [])));
 
 const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
@@ -210,7 +189,13 @@ const index = {
     vertices: positionsOf(name).length,
     ...(name.startsWith('head-') && { scalp: true }),
   })),
-  examples: examples.map(([name, title, model]) => ({ name, title, model, file: `recipes/${name}.json` })),
+  examples: examples.map(([name, title, model, made]) => ({
+    name,
+    title,
+    model,
+    file: `recipes/${name}.json`,
+    ...(made.steps[0].type === 'merge' && { workspace: 'merge' }),
+  })),
 };
 writeFileSync(new URL('index.json', folder), `${JSON.stringify(index, null, 2)}\n`);
 for (const [name, , , made] of [['first', '', '', dinosaur()], ...examples]) {

@@ -28,6 +28,28 @@ Eigen::Vector3d ribbed(double s, double t) {
     return {r * std::cos(t), -2 * s, r * std::sin(t)};
 }
 
+constexpr int k_around = 72;
+
+/// A smooth dome merged to the ribbed bowl with a transition between them.
+struct Blended {
+    TriangleMesh source, target;
+    MergeResult result;
+    TriangleMesh mesh; ///< of the result
+};
+
+const Blended& smooth_on_ribbed() {
+    static const Blended blended = [] {
+        const int m = k_around;
+        TriangleMesh source = tube(40, m, [](double s, double t) { return Eigen::Vector3d((1 - s * s * s) * std::cos(t), 2 * s, (1 - s * s * s) * std::sin(t)); });
+        TriangleMesh bowl = tube(40, m, ribbed, false);
+        const WorkingMesh from = shapes::working(source), target = shapes::working(bowl);
+        MergeResult result = merged(from, target, {tube_loops(m, m)}, {{{0, 0}, {m / 2, m / 2}}}, {.transition = Transition{0.6, 0.8}});
+        TriangleMesh mesh = mesh_of(result.model, source, bowl);
+        return Blended{std::move(source), std::move(bowl), std::move(result), std::move(mesh)};
+    }();
+    return blended;
+}
+
 /// How strongly the radius of a ring of vertices varies as twelve ribs do.
 double ribs(const TriangleMesh& mesh, const std::vector<int>& ring) {
     double c = 0, s = 0, mean = 0;
@@ -95,12 +117,10 @@ TEST_CASE("with transition regions the merged model is closed, and the source's 
 }
 
 TEST_CASE("inside a transition the detail lies between that of the two inputs, and fades from one to the other") {
-    const int m = 72;
-    const TriangleMesh source = tube(40, m, [](double s, double t) { return Eigen::Vector3d((1 - s * s * s) * std::cos(t), 2 * s, (1 - s * s * s) * std::sin(t)); });
-    const TriangleMesh target_mesh = tube(40, m, ribbed, false);
-    const WorkingMesh from = shapes::working(source), target = shapes::working(target_mesh);
-    const MergeResult blended = merged(from, target, {tube_loops(m, m)}, {{{0, 0}, {m / 2, m / 2}}}, {.transition = Transition{0.6, 0.8}});
-    const TriangleMesh mesh = mesh_of(blended.model, source, target_mesh);
+    const Blended& made = smooth_on_ribbed();
+    const TriangleMesh &target_mesh = made.target, &mesh = made.mesh;
+    const MergeResult& blended = made.result;
+    const int m = k_around;
     std::vector<double> strength;
     for (int row = 1; row < 20; ++row) {
         std::vector<int> ring;
@@ -134,12 +154,10 @@ TEST_CASE("keys come to lie at the same place of both squares, and nothing folds
 }
 
 TEST_CASE("mean curvature varies inside a transition more than on the smooth input and less than on the ribbed one") {
-    const int m = 72;
-    const TriangleMesh source = tube(40, m, [](double s, double t) { return Eigen::Vector3d((1 - s * s * s) * std::cos(t), 2 * s, (1 - s * s * s) * std::sin(t)); });
-    const TriangleMesh target_mesh = tube(40, m, ribbed, false);
-    const WorkingMesh from = shapes::working(source), target = shapes::working(target_mesh);
-    const MergeResult blended = merged(from, target, {tube_loops(m, m)}, {{{0, 0}, {m / 2, m / 2}}}, {.transition = Transition{0.6, 0.8}});
-    const TriangleMesh mesh = mesh_of(blended.model, source, target_mesh);
+    const Blended& made = smooth_on_ribbed();
+    const TriangleMesh &source = made.source, &target_mesh = made.target, &mesh = made.mesh;
+    const MergeResult& blended = made.result;
+    const int m = k_around;
     // Relative to the radius, so that the two tubes' sizes do not matter: rows 2 to 10 are well inside.
     const auto variation = [&](const TriangleMesh& on, auto vertex) {
         const Points normal = (cotangent_laplacian(on) * on.points).array().colwise() / vertex_areas(on).array();
