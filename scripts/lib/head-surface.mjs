@@ -1,6 +1,6 @@
 // A head's skin for scripts that place strokes on it: rays from outside towards its middle.
 
-import { readFileSync } from 'node:fs';
+import { readPly } from './ply.mjs';
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
@@ -28,28 +28,19 @@ export function slerp(a, b, t) {
 export class HeadSurface {
   /** @param file  a binary PLY of float x, y, z, uchar scalp per vertex and triangles */
   constructor(file) {
-    const bytes = readFileSync(file);
-    const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
-    const header = bytes.subarray(0, end).toString('latin1');
-    const vertices = Number(/element vertex (\d+)/.exec(header)[1]);
-    const faces = Number(/element face (\d+)/.exec(header)[1]);
-    this.points = Array.from({ length: vertices }, (_, v) =>
-      [0, 1, 2].map((k) => bytes.readFloatLE(end + 13 * v + 4 * k)),
-    );
+    const { points, faces, scalp } = readPly(file);
+    this.points = points;
     /** Vertices that hair grows on. */
-    this.scalp = [...this.points.keys()].filter((v) => bytes[end + 13 * v + 12] !== 0);
-    const scalp = this.scalp.map((v) => this.points[v]);
-    const from = end + 13 * vertices;
-    this.triangles = Array.from({ length: faces }, (_, f) =>
-      [0, 1, 2].map((k) => bytes.readInt32LE(from + 13 * f + 1 + 4 * k)),
-    );
+    this.scalp = scalp;
+    this.triangles = faces;
+    const roots = scalp.map((v) => points[v]);
     const range = (points, k) => {
       const values = points.map((p) => p[k]);
       return [values.reduce((a, b) => Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))];
     };
     const [low, high] = range(this.points, 1);
     this.height = high - low;
-    const middle = (k) => range(scalp, k).reduce((a, b) => a + b) / 2;
+    const middle = (k) => range(roots, k).reduce((a, b) => a + b) / 2;
     this.centre = [0, middle(1), middle(2)];
   }
 

@@ -26,7 +26,10 @@ export function plyOf({ points, triangles }) {
   return Buffer.concat([Buffer.from(header, 'latin1'), body]);
 }
 
-/** @param file  a binary little-endian PLY: per vertex float x, y, z first, faces lists of uchar and int, in this order */
+/**
+ * @param file  a binary little-endian PLY: per vertex x, y, z first, faces lists of uchar and int, in this order
+ * @returns points, faces, and `scalp`: the vertices whose last property, a uchar, is not 0
+ */
 export function readPly(file) {
   const bytes = readFileSync(file);
   const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
@@ -41,6 +44,8 @@ export function readPly(file) {
       double ? bytes.readDoubleLE(end + v * stride + 8 * k) : bytes.readFloatLE(end + v * stride + 4 * k),
     ),
   );
+  const flag = (v) => properties.at(-1)[1] === 'uchar' && bytes[end + (v + 1) * stride - 1] !== 0;
+  const scalp = [...points.keys()].filter(flag);
   let at = end + points.length * stride;
   const faces = Array.from({ length: count('face') }, () => {
     const corners = bytes[at++];
@@ -49,5 +54,5 @@ export function readPly(file) {
       return bytes.readInt32LE(at - 4);
     });
   });
-  return { points, faces };
+  return { points, faces, scalp };
 }
