@@ -1,9 +1,16 @@
 // The app without a browser: a kernel that moves every free vertex with the first handle, memory for storage.
 
 import { type BuiltApp, buildApp, type World } from '../../web/app/app';
+import type { DeformActions } from '../../web/app/deform/actions';
+import type { DeformWing } from '../../web/app/deform/wing';
 import type { SaveOptions } from '../../web/app/file-dialogs';
+import type { HairActions } from '../../web/app/hair/actions';
+import type { HairWing } from '../../web/app/hair/wing';
+import type { MergeActions } from '../../web/app/merge/actions';
+import type { MergeWing } from '../../web/app/merge/wing';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
 import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { WorkspaceId } from '../../web/recipe/recipe';
 import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
@@ -185,7 +192,7 @@ export class Tab {
     const world: World = {
       kernel: this.kernel,
       viewport,
-      panes: () => null,
+      pane: () => null,
       store: browser.store,
       claims: {
         claim: async (id) => {
@@ -216,6 +223,34 @@ export class Tab {
     this.app = buildApp(world);
   }
 
+  get deform(): DeformActions {
+    return this.#wing<DeformWing>('deform').actions;
+  }
+
+  get deformState(): DeformWing['state'] {
+    return this.#wing<DeformWing>('deform').state;
+  }
+
+  get hair(): HairActions {
+    return this.#wing<HairWing>('hair').actions;
+  }
+
+  get hairState(): HairWing['state'] {
+    return this.#wing<HairWing>('hair').state;
+  }
+
+  get merge(): MergeActions {
+    return this.#wing<MergeWing>('merge').actions;
+  }
+
+  get mergeState(): MergeWing['state'] {
+    return this.#wing<MergeWing>('merge').state;
+  }
+
+  #wing<W>(id: WorkspaceId): W {
+    return this.app.wings.get(id) as W;
+  }
+
   get toasts(): string[] {
     return this.app.state.toasts.value.map(({ text }) => text);
   }
@@ -228,7 +263,7 @@ export class Tab {
   /** Adds a region handle on the given vertices. */
   async addHandle(vertices: number[], name: string): Promise<void> {
     const { document, evaluator } = this.app;
-    const step = document.step!;
+    const step = this.deform.step!;
     const handle = {
       kind: 'region' as const,
       vertices,
@@ -238,7 +273,7 @@ export class Tab {
     const steps = document.recipe.steps.map((each) =>
       each === step ? { ...step, handles: [...step.handles, handle] } : each,
     );
-    const selection = { step: step.id, handle: step.handles.length };
+    const selection = { step: step.id, item: step.handles.length };
     document.commit(`Add ${name}`, { ...document.recipe, steps }, selection);
     await evaluator.settled();
   }

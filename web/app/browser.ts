@@ -10,7 +10,7 @@ import { BrowserStore } from './store';
 import { TabClaims } from './tab-claim';
 import { watchForUpdate } from './update-check';
 
-export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'panes'>): World {
+export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>): World {
   const page = () => location.href.replace(/[?#].*$/s, '');
   return {
     ...parts,

@@ -1,10 +1,12 @@
 // What the hair workspace knows beside the document, as signals. No behaviour here.
 
-import { signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { stepOf } from '../../recipe/edit';
+import type { HairStep } from '../../recipe/recipe';
 import type { Line } from '../../tools/stroke/polyline';
 import type { SupportKind, Viewpoint } from '../../tools/stroke/support';
 import type { HairOptions, StyleCurve } from '../../view/hair/types';
-import type { ViewedStrands } from './viewed';
+import type { State } from '../state';
 
 /** A stroke under way that is no edit yet. */
 export interface ShownStroke {
@@ -35,6 +37,8 @@ export interface HairFigures {
 }
 
 export class HairState {
+  /** The open step while it is one that grows hair. */
+  readonly step: ReadonlySignal<HairStep | undefined>;
   readonly show = signal<HairShow>({
     hair: true,
     curves: true,
@@ -53,6 +57,8 @@ export class HairState {
   /** Whether the pointer is over something the tool can start on. */
   readonly aimed = signal(true);
   readonly figures = signal<HairFigures | null>(null);
-  /** Strands of a file, on screen in place of the document. */
-  readonly viewed = signal<ViewedStrands | null>(null);
+
+  constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
+    this.step = computed(() => stepOf(recipe.value, selection.value.step, 'hair'));
+  }
 }

@@ -1,15 +1,18 @@
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { NumberField, SliderField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { usePercent } from './percent';
+import { useHair } from './use-hair';
 
 /** How much hair, how long, how full. */
 export function GrowthPanel() {
-  const { state, hair } = useApp();
+  const { state } = useApp();
+  const { state: own, actions: hair } = useHair();
   const { percent, length } = usePercent();
-  const step = state.hairStep.value;
+  const step = own.step.value;
   if (!step) return null;
   const finish = () => hair.finish();
   const { strands, length: own, volume, grid } = step;
@@ -45,13 +48,13 @@ export function GrowthPanel() {
       {state.tool.value === 'paint-length' && (
         <SliderField
           label={t('ui.hair.length-brush')}
-          value={100 * state.hair.lengthBrush.value}
+          value={100 * own.lengthBrush.value}
           min={0}
           max={200}
           step={5}
           digits={0}
           onChange={(value) => {
-            state.hair.lengthBrush.value = Math.round(value) / 100;
+            own.lengthBrush.value = Math.round(value) / 100;
           }}
         />
       )}

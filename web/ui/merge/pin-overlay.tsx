@@ -3,6 +3,8 @@ import type { MergeSide, Pin } from '../../tools/merge/pins';
 import { slot } from '../../tools/merge/pins';
 import type { Vec3, ViewportPort } from '../../view/types';
 import { useApp } from '../context';
+import { useMerge } from './use-merge';
+
 
 const RADIUS = 10;
 /** A pin is behind the model when the surface in front of it is nearer by this part of the distance. */
@@ -16,10 +18,12 @@ interface Place {
 
 /** Numbered pins on both models, and lines between partners. The pointer passes through: tools take hold of pins. */
 export function PinOverlay() {
-  const { state, merge, panes } = useApp();
+  const { state, panes } = useApp();
+  const { state: own, actions: merge } = useMerge();
   const frame = useRef<SVGSVGElement>(null);
   const [, redraw] = useState(0);
-  const views = panes.value;
+  const [from, to] = panes.all.value;
+  const views = from && to ? { source: from.viewport, target: to.viewport } : null;
   useEffect(() => {
     if (!views) return;
     const again = () => redraw((count) => count + 1);
@@ -27,15 +31,15 @@ export function PinOverlay() {
     return () => {
       for (const stop of stops) stop();
     };
-  }, [views]);
-  const { source, target } = state.merge.sides.value;
-  const selected = state.selection.value.handle;
-  const own = state.mergeStep.value?.boundaries ?? [];
+  }, [from, to]);
+  const { source, target } = own.sides.value;
+  const selected = state.selection.value.item;
+  const own = own.step.value?.boundaries ?? [];
   const half = (frame.current?.clientWidth ?? 0) / 2;
   const height = frame.current?.clientHeight ?? 0;
   const placed =
     views && source && target && half > 0
-      ? merge.pins().map((pin) => ({
+      ? merge.joins.pins().map((pin) => ({
           pin,
           ends: [
             placeOf(views.source, source.model.positions, pin, 'source', 0),

@@ -1,25 +1,17 @@
 import type { Command } from '../commands';
 import type { CommandContext } from './context';
-import { pickTool } from './pick-tool';
 
 /** Each press of [ or ] changes the brush by this factor. */
 const STEP = 1.2;
 const SMALLEST = 2;
 const LARGEST = 400;
 
-export function toolCommands(context: CommandContext): Command[] {
-  const { state, deform } = context;
+export function brushCommands({ state, wings }: CommandContext): Command[] {
   const group = 'tool';
-  const workspace = 'deform';
-  const tool = pickTool(workspace, context);
   const resize = (factor: number) => () => {
     state.brushSize.value = Math.min(LARGEST, Math.max(SMALLEST, Math.round(state.brushSize.value * factor)));
   };
   return [
-    tool('select', 'mouse-pointer-2', ['V']),
-    tool('paint-roi', 'paintbrush', ['B']),
-    tool('paint-handle', 'grab', ['H']),
-    tool('point-handle', 'circle-dot', ['P']),
     {
       id: 'brush.smaller',
       group,
@@ -53,31 +45,11 @@ export function toolCommands(context: CommandContext): Command[] {
       title: 'command.brush.mirror',
       icon: 'flip-horizontal-2',
       keys: ['M'],
-      // Two models to merge have no plane of symmetry in common.
-      enabled: () => state.workspace.value !== 'merge',
+      enabled: () => wings.open.value?.wing.mirrors ?? false,
       checked: () => state.mirror.value,
       run: () => {
         state.mirror.value = !state.mirror.value;
       },
-    },
-    {
-      id: 'roi.everything',
-      group,
-      workspace,
-      title: 'command.roi.everything',
-      icon: 'maximize',
-      keys: ['A'],
-      enabled: () => state.step.value !== undefined,
-      run: () => deform.setRoi('all'),
-    },
-    {
-      id: 'roi.clear',
-      group,
-      workspace,
-      title: 'command.roi.clear',
-
-      enabled: () => state.step.value !== undefined,
-      run: () => deform.setRoi([]),
     },
   ];
 }

@@ -1,14 +1,23 @@
 import type { GizmoMode } from '../../view/types';
 import type { Command } from '../commands';
+import { pickTool } from '../commands/pick-tool';
 import type { MessageKey } from '../i18n';
-import type { CommandContext } from './context';
+import type { WingParts } from '../wing';
+import type { DeformService } from './api';
+import type { DeformState } from './state';
 
-export function handleCommands({ state, deform, document }: CommandContext): Command[] {
+export const TOOLS = ['select', 'paint-roi', 'paint-handle', 'point-handle'] as const;
+
+type Context = Pick<WingParts, 'state' | 'document' | 'gestures'>;
+
+export function deformCommands(context: Context, own: DeformState, deform: DeformService): Command[] {
+  const { state, document } = context;
   const group = 'handle';
   const workspace = 'deform';
-  const index = () => state.selection.value.handle;
+  const tool = pickTool<(typeof TOOLS)[number]>(workspace, context);
+  const index = () => state.selection.value.item;
   const selected = () => index() !== null;
-  const count = () => state.step.value?.handles.length ?? 0;
+  const count = () => own.step.value?.handles.length ?? 0;
   const onSelected = (act: (handle: number) => void) => () => {
     const handle = index();
     if (handle !== null) act(handle);
@@ -24,13 +33,36 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
     title: `command.gizmo.${name}` satisfies MessageKey,
     icon,
     keys: [key],
-    checked: () => state.gizmo.value === mode,
+    checked: () => own.gizmo.value === mode,
     run: () => {
       state.tool.value = 'select';
-      state.gizmo.value = mode;
+      own.gizmo.value = mode;
     },
   });
   return [
+    tool('select', 'mouse-pointer-2', ['V']),
+    tool('paint-roi', 'paintbrush', ['B']),
+    tool('paint-handle', 'grab', ['H']),
+    tool('point-handle', 'circle-dot', ['P']),
+    {
+      id: 'roi.everything',
+      group: 'tool',
+      workspace,
+      title: 'command.roi.everything',
+      icon: 'maximize',
+      keys: ['A'],
+      enabled: () => own.step.value !== undefined,
+      run: () => deform.setRoi('all'),
+    },
+    {
+      id: 'roi.clear',
+      group: 'tool',
+      workspace,
+      title: 'command.roi.clear',
+
+      enabled: () => own.step.value !== undefined,
+      run: () => deform.setRoi([]),
+    },
     {
       id: 'handle.new',
       group,
@@ -38,7 +70,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
       title: 'command.handle.new',
       icon: 'plus',
       keys: ['N'],
-      enabled: () => state.step.value !== undefined,
+      enabled: () => own.step.value !== undefined,
       run: () => {
         document.select(null);
         state.tool.value = 'paint-handle';
@@ -61,7 +93,7 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
       title: 'command.handle.hide',
       icon: 'eye-off',
       enabled: selected,
-      run: onSelected((handle) => deform.hide(handle, !state.step.value?.handles[handle]?.hidden)),
+      run: onSelected((handle) => deform.hide(handle, !own.step.value?.handles[handle]?.hidden)),
     },
     {
       id: 'handle.reset',
@@ -110,6 +142,18 @@ export function handleCommands({ state, deform, document }: CommandContext): Com
       keys: ['Mod+Enter'],
       enabled: () => count() > 0,
       run: () => deform.applyAndContinue(),
+    },
+    {
+      id: 'view.heat',
+      group: 'view',
+      workspace,
+      title: 'command.view.heat',
+      icon: 'thermometer',
+      keys: ['T'],
+      checked: () => own.heat.value,
+      run: () => {
+        own.heat.value = !own.heat.value;
+      },
     },
   ];
 }

@@ -1,24 +1,37 @@
 import { primitivesOf } from '../../tools/hair/style';
 import type { Command } from '../commands';
-import type { HairShow } from '../hair/state';
+import { pickTool } from '../commands/pick-tool';
 import type { MessageKey } from '../i18n';
-import type { CommandContext } from './context';
-import { pickTool } from './pick-tool';
+import type { WingParts } from '../wing';
+import type { HairService } from './api';
+import type { HairShow, HairState } from './state';
 
-export function hairCommands(context: CommandContext): Command[] {
-  const { state, document, hair, viewport } = context;
+export const TOOLS = [
+  'hair-select',
+  'stream',
+  'hint',
+  'parting',
+  'ponytail',
+  'paint-scalp',
+  'paint-length',
+] as const;
+
+type Context = Pick<WingParts, 'state' | 'document' | 'gestures' | 'viewport'>;
+
+export function hairCommands(context: Context, own: HairState, hair: HairService): Command[] {
+  const { state, document, viewport } = context;
   const workspace = 'hair';
   const group = 'hair';
-  const index = () => state.selection.value.handle;
+  const index = () => state.selection.value.item;
   const selected = () => index() !== null;
-  const primitives = () => (state.hairStep.value ? primitivesOf(state.hairStep.value) : []);
+  const primitives = () => (own.step.value ? primitivesOf(own.step.value) : []);
   const onSelected = (act: (index: number) => void) => () => {
     const at = index();
     if (at !== null) act(at);
   };
-  const tool = pickTool(workspace, context, (id) => {
+  const tool = pickTool<(typeof TOOLS)[number]>(workspace, context, (id) => {
     // Whoever reaches for this one means to click a curve.
-    if (id === 'hair-select') state.hair.show.value = { ...state.hair.show.peek(), curves: true };
+    if (id === 'hair-select') own.show.value = { ...own.show.peek(), curves: true };
   });
   const next = (by: number) => () => {
     const count = primitives().length;
@@ -31,10 +44,10 @@ export function hairCommands(context: CommandContext): Command[] {
     title: `command.hair.show.${what}` satisfies MessageKey,
     icon,
     keys,
-    checked: () => state.hair.show.value[what],
+    checked: () => own.show.value[what],
     run: () => {
-      const shown = state.hair.show.value;
-      state.hair.show.value = { ...shown, [what]: !shown[what] };
+      const shown = own.show.value;
+      own.show.value = { ...shown, [what]: !shown[what] };
     },
   });
   return [
@@ -51,7 +64,7 @@ export function hairCommands(context: CommandContext): Command[] {
       workspace,
       title: 'command.hair.clear-lengths',
       icon: 'eraser',
-      enabled: () => (state.hairStep.value?.length.map.length ?? 0) > 0,
+      enabled: () => (own.step.value?.length.map.length ?? 0) > 0,
       run: () => hair.update({ length: { map: [] } }),
     },
     {
@@ -129,9 +142,9 @@ export function hairCommands(context: CommandContext): Command[] {
       title: 'command.hair.support-kind',
       icon: 'layers',
       keys: ['U'],
-      checked: () => state.hair.supportKind.value === 'ruled',
+      checked: () => own.supportKind.value === 'ruled',
       run: () => {
-        const kind = state.hair.supportKind;
+        const kind = own.supportKind;
         kind.value = kind.value === 'ruled' ? 'strip' : 'ruled';
       },
     },
@@ -141,7 +154,7 @@ export function hairCommands(context: CommandContext): Command[] {
       workspace,
       title: 'command.hair.new-seed',
       icon: 'dices',
-      enabled: () => state.hairStep.value !== undefined,
+      enabled: () => own.step.value !== undefined,
       run: () => hair.newSeed(),
     },
     {
@@ -149,9 +162,9 @@ export function hairCommands(context: CommandContext): Command[] {
       group,
       title: 'command.hair.end-viewing',
       icon: 'x',
-      enabled: () => state.hair.viewed.value !== null,
+      enabled: () => state.viewing.value !== null,
       run: () => {
-        state.hair.viewed.value = null;
+        state.viewing.value = null;
       },
     },
     show('hair', 'eye'),

@@ -1,14 +1,20 @@
 import type { Command } from '../commands';
-import type { CommandContext } from './context';
-import { pickTool } from './pick-tool';
+import { pickTool } from '../commands/pick-tool';
+import type { WingParts } from '../wing';
+import type { MergeActions } from './actions';
+import type { MergeState } from './state';
 
-export function mergeCommands(context: CommandContext): Command[] {
-  const { state, merge, document, workspaces } = context;
+export const TOOLS = ['merge-pins', 'mark-region', 'mark-feature'] as const;
+
+type Context = Pick<WingParts, 'state' | 'document' | 'gestures' | 'workspaces'>;
+
+export function mergeCommands(context: Context, own: MergeState, merge: MergeActions): Command[] {
+  const { state, document, workspaces } = context;
   const workspace = 'merge';
   const group = 'merge';
-  const open = () => state.mergeStep.value !== undefined && !state.choosing.value;
-  const pin = () => state.selection.value.handle;
-  const tool = pickTool(workspace, context);
+  const open = () => own.step.value !== undefined && !state.choosing.value;
+  const pin = () => state.selection.value.item;
+  const tool = pickTool<(typeof TOOLS)[number]>(workspace, context);
   return [
     tool('merge-pins', 'map-pin', ['V']),
     tool('mark-region', 'paintbrush', ['B']),
@@ -20,9 +26,9 @@ export function mergeCommands(context: CommandContext): Command[] {
       title: 'command.merge.through',
       icon: 'layers',
       keys: ['T'],
-      checked: () => state.merge.through.value,
+      checked: () => own.through.value,
       run: () => {
-        state.merge.through.value = !state.merge.through.value;
+        own.through.value = !own.through.value;
       },
     },
     {
@@ -33,7 +39,7 @@ export function mergeCommands(context: CommandContext): Command[] {
       icon: 'combine',
       keys: ['Mod+Enter'],
       enabled: open,
-      run: () => merge.merge(),
+      run: () => merge.marking.merge(),
     },
     {
       id: 'merge.cut',
@@ -41,8 +47,8 @@ export function mergeCommands(context: CommandContext): Command[] {
       workspace,
       title: 'command.merge.cut',
       icon: 'scissors',
-      enabled: () => open() && state.mergeStep.value?.boundaries.length === 0,
-      run: () => merge.cutAlongMarks(),
+      enabled: () => open() && own.step.value?.boundaries.length === 0,
+      run: () => merge.marking.cutAlongMarks(),
     },
     {
       id: 'merge.part',
@@ -51,7 +57,7 @@ export function mergeCommands(context: CommandContext): Command[] {
       title: 'command.merge.part',
       icon: 'box',
       enabled: open,
-      run: () => merge.changePart(),
+      run: () => merge.part.change(),
     },
     {
       id: 'merge.another',
@@ -59,8 +65,8 @@ export function mergeCommands(context: CommandContext): Command[] {
       workspace,
       title: 'command.merge.another',
       icon: 'plus',
-      enabled: () => open() && state.merge.figures.value !== null,
-      run: () => merge.start(state.mergeStep.value!.id),
+      enabled: () => open() && own.figures.value !== null,
+      run: () => merge.part.start(own.step.value!.id),
     },
     {
       id: 'merge.deform',
@@ -68,7 +74,7 @@ export function mergeCommands(context: CommandContext): Command[] {
       workspace,
       title: 'command.merge.deform',
       icon: 'move',
-      enabled: () => open() && state.merge.figures.value !== null,
+      enabled: () => open() && own.figures.value !== null,
       run: () => workspaces.enter('deform'),
     },
     {
@@ -81,7 +87,7 @@ export function mergeCommands(context: CommandContext): Command[] {
       enabled: () => pin() !== null,
       run: () => {
         const number = pin();
-        if (number !== null) merge.removePin(number);
+        if (number !== null) merge.joins.removePin(number);
       },
     },
     {
@@ -89,9 +95,9 @@ export function mergeCommands(context: CommandContext): Command[] {
       group,
       workspace,
       title: 'command.merge.deselect',
-      enabled: () => pin() !== null || state.merge.picked.value !== null,
+      enabled: () => pin() !== null || own.picked.value !== null,
       run: () => {
-        state.merge.picked.value = null;
+        own.picked.value = null;
         document.select(null);
       },
     },
@@ -102,10 +108,10 @@ export function mergeCommands(context: CommandContext): Command[] {
       title: 'command.merge.before',
       icon: 'history',
       keys: ['Y'],
-      enabled: () => open() && state.mergeStep.value?.optimalBoundary !== undefined,
-      checked: () => state.merge.before.value,
+      enabled: () => open() && own.step.value?.optimalBoundary !== undefined,
+      checked: () => own.before.value,
       run: () => {
-        state.merge.before.value = !state.merge.before.value;
+        own.before.value = !own.before.value;
       },
     },
   ];

@@ -1,11 +1,14 @@
+import type { ComponentChildren } from 'preact';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
-import { CommandButton } from '../controls/command-button';
 import { Section } from '../controls/section';
 
-/** The steps done to the model: any of them can be opened again; the later ones follow. */
-export function StepsPanel() {
+/**
+ * The steps done to the model: any of them can be opened again; the later ones follow.
+ * @param children  what a wing offers below the list
+ */
+export function StepsPanel({ children }: { children?: ComponentChildren }) {
   const { state, document } = useApp();
   const steps = state.recipe.value.steps;
   const open = state.selection.value.step;
@@ -38,7 +41,7 @@ export function StepsPanel() {
           </li>
         ))}
       </ol>
-      {state.workspace.value === 'deform' && <CommandButton command="step.apply" kind="solid" />}
+      {children}
     </Section>
   );
 }
