@@ -4,6 +4,7 @@ import { type BuiltApp, buildApp, type World } from '../../web/app/app';
 import type { SaveOptions } from '../../web/app/file-dialogs';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
 import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { LayerKind } from '../../web/view/layer';
 import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
@@ -258,10 +259,22 @@ export class Tab {
 
 const STANDING: ViewportPort['camera'] = { position: [0, 0, 5], target: [0, 0, 0], orthographic: false };
 
-/** A viewport that shows nothing, finds nothing and takes every call. */
-export const blindViewport = (parts: Partial<ViewportPort>): ViewportPort =>
-  new Proxy({ camera: STANDING, ...parts } as ViewportPort, {
-    get: (held, name: keyof ViewportPort) => held[name] ?? (() => null),
+/** What answers in the place of layers, by the id of their kind. */
+export type LayerDoubles = Readonly<Record<string, object>>;
+
+/** A viewport that shows nothing, finds nothing and takes every call; its layers likewise. */
+export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles = {}): ViewportPort => {
+  const mount: ViewportPort['mount'] = <P>({ id }: LayerKind<P>) => ({
+    port: blind(layers[id] ?? {}) as P,
+    unmount: () => {},
+  });
+  return blind({ camera: STANDING, mount, ...parts }) as ViewportPort;
+};
+
+/** Has what it is given; for the rest it takes every call and answers nothing. */
+const blind = <T extends object>(parts: T): T =>
+  new Proxy(parts, {
+    get: (held, name) => Reflect.get(held, name) ?? (() => null),
     set: () => true,
   });
 

@@ -25,6 +25,7 @@ import { hideCurvesAtFirst } from './hair/opening';
 import { syncHair } from './hair/view-sync';
 import { besidesViewed, endViewingOnChange, syncViewed } from './hair/viewed';
 import { Keymap } from './keymap';
+import { mountLayers } from './layers';
 import { MergeActions } from './merge/actions';
 import { type Panes, syncPanes } from './merge/panes';
 import { Messages } from './messages';
@@ -120,13 +121,21 @@ export function buildApp(world: World): BuiltApp {
   let cancelGesture = () => false;
   let goBack = () => false;
   if (viewport) {
-    const host = new AppDeformHost(viewport, state, document, evaluator);
-    const hairHost = new AppHairHost({ viewport, state, document, evaluator, messages });
+    const { layers, unmount } = mountLayers(viewport);
+    const host = new AppDeformHost(viewport, layers.markers, state, document, evaluator);
+    const hairHost = new AppHairHost({
+      viewport,
+      curves: layers.curves,
+      state,
+      document,
+      evaluator,
+      messages,
+    });
     const lengths = new AppLengthHost({ state, document, hair: hairHost });
     const tools = new ToolSwitch({ view: viewport, deform: host, hair: hairHost, lengths, state, settings });
     const own = { result: besidesViewed(state, evaluator) };
-    const view = syncView({ viewport, state, evaluator: own, host });
-    const stopHair = syncHair({ viewport, state, evaluator: own, host: hairHost });
+    const view = syncView({ viewport, layers, state, evaluator: own, host });
+    const stopHair = syncHair({ viewport, layers, state, evaluator: own, host: hairHost });
     goBack = () => tools.back();
     viewport.setPointerHandler(tools);
     cancelGesture = () => {
@@ -136,9 +145,9 @@ export function buildApp(world: World): BuiltApp {
       if (state.previewing.peek()) document.cancel();
       return active;
     };
-    const stopField = syncField({ viewport, state, evaluator: own, runner, failed });
-    const stopViewed = syncViewed(viewport, state);
-    stops.push(view.stop, stopHair, stopField, stopViewed, () => viewport.setPointerHandler(null));
+    const stopField = syncField({ layers, state, evaluator: own, runner, failed });
+    const stopViewed = syncViewed(viewport, layers.hair, state);
+    stops.push(view.stop, stopHair, stopField, stopViewed, () => viewport.setPointerHandler(null), unmount);
   }
 
   const panes = signal<Panes | null>(null);

@@ -3,18 +3,17 @@
 import { signal } from '@preact/signals';
 import type { DeformStep } from '../recipe/recipe';
 import type { ModelResult } from '../run/types';
-import type { Brush } from '../tools/brush-stroke';
+import type { Brush, Paint } from '../tools/brush-stroke';
 import type { DeformEdit, DeformHost, DeformScene, EditLabel } from '../tools/deform/host';
 import { MeshGraph } from '../tools/mesh-graph';
 import { Mirror } from '../tools/mirror';
-import type { RegionPaint, ViewportPort } from '../view/types';
+import type { MarkersPort } from '../view/overlays/types';
+import type { ViewportPort } from '../view/types';
 import { replaceStep } from './deform-actions';
 import type { Document } from './document';
 import type { Evaluator } from './evaluation';
 import { t } from './i18n';
 import type { State } from './state';
-
-type Paint = Pick<RegionPaint, 'kind' | 'vertices'>;
 
 export class AppDeformHost implements DeformHost {
   /** The stroke under way. */
@@ -23,6 +22,7 @@ export class AppDeformHost implements DeformHost {
 
   constructor(
     readonly view: ViewportPort,
+    readonly markers: MarkersPort,
     private readonly state: State,
     private readonly document: Document,
     private readonly evaluator: Pick<Evaluator, 'result'>,

@@ -10,17 +10,19 @@ import type { AppDeformHost } from './deform-host';
 import type { Evaluation, Evaluator } from './evaluation';
 import { LENGTHS, shownLengths } from './hair/lengths';
 import { viewModel } from './hair/viewed';
+import type { Layers } from './layers';
 import type { State } from './state';
 
 interface Parts {
   readonly viewport: ViewportPort;
+  readonly layers: Pick<Layers, 'markers'>;
   readonly state: State;
   readonly evaluator: Pick<Evaluator, 'result'>;
   readonly host: AppDeformHost;
 }
 
 /** @returns the gizmo's drag, for Escape, and the function that ends it all */
-export function syncView({ viewport, state, evaluator, host }: Parts): {
+export function syncView({ viewport, layers, state, evaluator, host }: Parts): {
   readonly gizmo: GizmoDrag;
   readonly stop: () => void;
 } {
@@ -58,7 +60,7 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
       const regions: RegionPaint[] = [];
       const roi =
         stroke?.kind === 'roi' ? stroke.vertices : step.roi === 'all' ? null : indices(step.roi, count);
-      if (roi) regions.push({ id: 'roi', kind: 'roi', vertices: roi, visible: true, selected: false });
+      if (roi) regions.push({ id: 'roi', tint: 'blue', vertices: roi, visible: true, selected: false });
       const painted = stroke?.kind === 'handle' ? stroke.vertices : null;
       let replaced = false;
       step.handles.forEach((handle, i) => {
@@ -67,15 +69,15 @@ export function syncView({ viewport, state, evaluator, host }: Parts): {
         replaced ||= isPainted;
         const vertices = isPainted ? painted : indices(handle.vertices, count);
         const visible = !handle.hidden;
-        regions.push({ id: markerId(i), kind: 'handle', vertices, visible, selected: i === selected });
+        regions.push({ id: markerId(i), tint: 'violet', vertices, visible, selected: i === selected });
       });
       if (painted && !replaced)
-        regions.push({ id: 'stroke', kind: 'handle', vertices: painted, visible: true, selected: true });
+        regions.push({ id: 'stroke', tint: 'violet', vertices: painted, visible: true, selected: true });
       if (drawn.on !== evaluation.input.opened || !sameRegions(drawn.regions, regions)) {
         drawn = { on: evaluation.input.opened, regions };
         viewport.setRegions(regions);
       }
-      viewport.setMarkers(
+      layers.markers.setMarkers(
         step.handles.flatMap((handle, i) =>
           handle.kind === 'point'
             ? [

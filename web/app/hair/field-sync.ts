@@ -5,15 +5,15 @@ import { Latest } from '../../core/latest';
 import type { Recipe } from '../../recipe/recipe';
 import type { Runner } from '../../run/evaluate';
 import type { HairField } from '../../run/steps/hair';
-import type { ViewportPort } from '../../view/types';
 import type { Evaluator } from '../evaluation';
+import type { Layers } from '../layers';
 import type { State } from '../state';
 
 /** Every how-manieth node of the field has an arrow. */
 const STRIDE = 3;
 
 interface Parts {
-  readonly viewport: ViewportPort;
+  readonly layers: Pick<Layers, 'field' | 'box'>;
   readonly state: State;
   readonly evaluator: Pick<Evaluator, 'result'>;
   readonly runner: Pick<Runner, 'hairField'>;
@@ -21,12 +21,12 @@ interface Parts {
 }
 
 /** @returns the function that ends it */
-export function syncField({ viewport, state, evaluator, runner, failed }: Parts): () => void {
+export function syncField({ layers, state, evaluator, runner, failed }: Parts): () => void {
   const draw = (field: HairField | null): void => {
     const { field: arrows, constraints, volume } = state.hair.show.peek();
-    viewport.setField(field && arrows ? field : null);
-    viewport.setConstraints(field && constraints ? field.constraints : null);
-    viewport.setVolume(field && volume ? { low: field.low, high: field.high } : null);
+    layers.field.setField(field && arrows ? field : null);
+    layers.field.setConstraints(field && constraints ? field.constraints : null);
+    layers.box.setVolume(field && volume ? { low: field.low, high: field.high } : null);
   };
   const fetches = new Latest<{ readonly recipe: Recipe; readonly step: string }, HairField>({
     work: ({ recipe, step }, signal) => runner.hairField(recipe, step, { stride: STRIDE, signal }),

@@ -4,7 +4,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { fromIndices } from '../../core/vertex-set';
 import type { HairStep } from '../../recipe/recipe';
 import type { ModelResult } from '../../run/types';
-import type { Brush } from '../../tools/brush-stroke';
+import type { Brush, Paint } from '../../tools/brush-stroke';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '../../tools/hair/host';
 import { REACH } from '../../tools/hair/measures';
 import type { ScalpHost, ScalpScene } from '../../tools/hair/scalp-tool';
@@ -13,7 +13,8 @@ import { SupportSurface, viewpointOf } from '../../tools/hair/support';
 import { MeshGraph } from '../../tools/mesh-graph';
 import { Mirror } from '../../tools/mirror';
 import type { PaintVerb } from '../../tools/paint-tool';
-import type { RegionPaint, ViewportPort } from '../../view/types';
+import type { CurvesPort } from '../../view/overlays/types';
+import type { ViewportPort } from '../../view/types';
 import type { MessageService } from '../api';
 import type { Document } from '../document';
 import type { Evaluator } from '../evaluation';
@@ -24,6 +25,7 @@ import { hairStepById, headHeight, scalpOf, withHairStep } from './steps';
 
 interface Parts {
   readonly viewport: ViewportPort;
+  readonly curves: CurvesPort;
   readonly state: State;
   readonly document: Document;
   readonly evaluator: Pick<Evaluator, 'result'>;
@@ -32,6 +34,7 @@ interface Parts {
 
 export class AppHairHost implements HairHost, ScalpHost {
   readonly view: ViewportPort;
+  readonly curves: CurvesPort;
   /** Of the selected curve as shown, rebuilt as it changes. */
   readonly surface: ReadonlySignal<SupportSurface | null>;
   /** The scalp while it is being painted. */
@@ -40,6 +43,7 @@ export class AppHairHost implements HairHost, ScalpHost {
 
   constructor(private readonly parts: Parts) {
     this.view = parts.viewport;
+    this.curves = parts.curves;
     this.surface = computed(() => this.#build());
   }
 
@@ -121,7 +125,7 @@ export class AppHairHost implements HairHost, ScalpHost {
     document.commit(t(`history.hair.${verb}-scalp`), withHairStep(document.recipe, painted));
   }
 
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void {
+  showPaint(paint: Paint | null): void {
     this.paint.value = paint?.vertices ?? null;
   }
 

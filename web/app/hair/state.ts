@@ -2,14 +2,15 @@
 
 import { signal } from '@preact/signals';
 import type { Line } from '../../tools/hair/polyline';
+import type { CurveKind } from '../../tools/hair/style';
 import type { SupportKind, Viewpoint } from '../../tools/hair/support';
-import type { HairOptions, StyleCurve } from '../../view/hair/types';
+import type { HairOptions } from '../../view/hair/types';
 import type { ViewedStrands } from './viewed';
 
 /** A stroke under way that is no edit yet. */
 export interface ShownStroke {
   readonly line: Line;
-  readonly kind: StyleCurve['kind'];
+  readonly kind: CurveKind;
 }
 
 /** What is drawn beside the hair itself. */

@@ -3,10 +3,12 @@
 import { effect } from '@preact/signals';
 import { strandCount } from '../../core/strands';
 import { ponytailStage } from '../../tools/hair/ponytail-tool';
-import { curvesOf } from '../../tools/hair/style';
-import type { StyleCurve } from '../../view/hair/types';
+import { CURVE_LOOKS, curvesOf } from '../../tools/hair/style';
+import type { HairPort } from '../../view/hair/types';
+import type { Curve } from '../../view/overlays/types';
 import type { ViewportPort } from '../../view/types';
 import type { Evaluator } from '../evaluation';
+import type { Layers } from '../layers';
 import type { State } from '../state';
 import type { AppHairHost } from './host';
 import { SPARSE } from './lengths';
@@ -15,43 +17,44 @@ import { scalpOf } from './steps';
 
 interface Parts {
   readonly viewport: ViewportPort;
+  readonly layers: Layers;
   readonly state: State;
   readonly evaluator: Pick<Evaluator, 'result'>;
   readonly host: AppHairHost;
 }
 
 /** Called after the deform workspace's own, which shows the model. @returns the function that ends it */
-export function syncHair({ viewport, state, evaluator, host }: Parts): () => void {
+export function syncHair({ viewport, layers, state, evaluator, host }: Parts): () => void {
   const stops = [
     effect(() => {
       const evaluation = evaluator.result.value;
       const strands = evaluation?.step.type === 'hair' ? evaluation.strands : null;
       if (strands && evaluation?.step.type === 'hair') {
         const grown = Math.max(1, strands.offsets.length - 1);
-        viewport.setHairOptions({ widthScale: Math.max(1, evaluation.step.strands.count / grown) });
+        layers.hair.setHairOptions({ widthScale: Math.max(1, evaluation.step.strands.count / grown) });
       }
-      viewport.setHair(strands);
+      layers.hair.setHair(strands);
     }),
-    thinWhilePainting(viewport, state, evaluator),
+    thinWhilePainting(layers.hair, state, evaluator),
     frameHair({ viewport, state, evaluator }),
     effect(() => {
-      viewport.setHairOptions({ show: state.hair.show.value.hair, shading: state.hair.shading.value });
+      layers.hair.setHairOptions({ show: state.hair.show.value.hair, shading: state.hair.shading.value });
     }),
     effect(() => {
       const step = state.hairStep.value;
       const stroke = state.hair.stroke.value;
       const wanted = state.hair.show.value.curves && !state.hair.viewed.value;
       const shown = step && wanted ? curvesOf(step, state.selection.value.handle) : [];
-      const drawn: StyleCurve[] =
+      const drawn: Curve[] =
         stroke && stroke.line.length > 1
-          ? [{ id: 'stroke', points: stroke.line, kind: stroke.kind, selected: false }]
+          ? [{ id: 'stroke', points: stroke.line, ...CURVE_LOOKS[stroke.kind], selected: false }]
           : [];
-      viewport.setCurves([...shown, ...drawn]);
+      layers.curves.setCurves([...shown, ...drawn]);
     }),
     effect(() => {
       const surface = host.surface.value;
       const shown = state.hair.show.value.support && isEditing(state) && !state.hair.viewed.value;
-      viewport.setSupport(surface && shown ? surface : null);
+      layers.support.setSupport(surface && shown ? surface : null);
     }),
     effect(() => {
       const evaluation = evaluator.result.value;
@@ -60,9 +63,9 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
       if (evaluation?.step.type !== 'hair' || !step) return;
       const vertices = painted ?? scalpOf(step, evaluation.input.model);
       const shown = state.tool.value === 'paint-scalp' || state.tool.value === 'paint-length';
-      viewport.setMarkers([]);
+      layers.markers.setMarkers([]);
       viewport.setRegions(
-        shown ? [{ id: 'scalp', kind: 'scalp', vertices, visible: true, selected: true }] : [],
+        shown ? [{ id: 'scalp', tint: 'green', vertices, visible: true, selected: true }] : [],
       );
     }),
   ];
@@ -72,18 +75,14 @@ export function syncHair({ viewport, state, evaluator, host }: Parts): () => voi
 }
 
 /** Colours on the scalp are of no use under a full head of hair. */
-function thinWhilePainting(
-  viewport: ViewportPort,
-  state: State,
-  { result }: Pick<Evaluator, 'result'>,
-): () => void {
+function thinWhilePainting(hair: HairPort, state: State, { result }: Pick<Evaluator, 'result'>): () => void {
   let thin = false;
   return effect(() => {
     const shown = result.value;
     const painting = state.tool.value === 'paint-length' && shown?.strands;
     if (!painting && !thin) return;
     thin = Boolean(painting);
-    viewport.setStrandShare(painting ? Math.min(1, SPARSE / Math.max(1, strandCount(painting))) : null);
+    hair.setStrandShare(painting ? Math.min(1, SPARSE / Math.max(1, strandCount(painting))) : null);
   });
 }
 

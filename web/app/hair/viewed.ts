@@ -6,6 +6,7 @@ import type { Model } from '../../core/model';
 import type { Groom, Strands } from '../../core/strands';
 import { placedOn } from '../../io/strands/place';
 import { triangulate } from '../../io/triangulate';
+import type { HairPort } from '../../view/hair/types';
 import type { ViewModel, ViewportPort } from '../../view/types';
 import type { Evaluation, Evaluator } from '../evaluation';
 import type { State } from '../state';
@@ -52,13 +53,13 @@ export const besidesViewed = (state: State, { result }: Pick<Evaluator, 'result'
   computed(() => (state.hair.viewed.value ? null : result.value)) as ReadonlySignal<Evaluation | null>;
 
 /** Called after everything else that draws. @returns the function that ends it */
-export function syncViewed(viewport: ViewportPort, state: State): () => void {
+export function syncViewed(viewport: ViewportPort, hair: HairPort, state: State): () => void {
   return effect(() => {
     const shown = state.hair.viewed.value;
     if (!shown) return;
     viewport.setModel(shown.head);
-    viewport.setHairOptions({ widthScale: 1 });
-    viewport.setHair(shown.strands);
+    hair.setHairOptions({ widthScale: 1 });
+    hair.setHair(shown.strands);
     viewport.fit();
   });
 }

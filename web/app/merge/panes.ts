@@ -6,7 +6,10 @@ import { paintMark } from '../../tools/merge/mark-tool';
 import { PinTool } from '../../tools/merge/pin-tool';
 import type { MergeSide } from '../../tools/merge/pins';
 import type { Tool } from '../../tools/tool';
-import type { LoopLine, RegionPaint, ViewportPort } from '../../view/types';
+import { LOOPS } from '../../view/overlays/loops';
+import type { LoopLine, LoopsPort } from '../../view/overlays/types';
+import type { Tint } from '../../view/palette';
+import type { RegionPaint, ViewportPort } from '../../view/types';
 import type { SettingsService } from '../api';
 import type { Document } from '../document';
 import type { State } from '../state';
@@ -30,6 +33,7 @@ interface Synced {
   readonly stop: () => void;
 }
 
+const TINTS = { source: 'red', feature: 'yellow', target: 'azure' } as const;
 const SIDES = ['source', 'target'] as const;
 
 export function syncPanes(panes: Panes, parts: Parts): Synced {
@@ -54,6 +58,7 @@ function syncPane(side: MergeSide, viewport: ViewportPort, parts: Parts): Synced
   };
   const pointer = new PointerSwitch(viewport, () => tools[state.tool.peek()], parts.settings);
   viewport.setPointerHandler(pointer);
+  const loops = viewport.mount(LOOPS);
   let shown: ModelResult | null = null;
   const stops = [
     effect(() => {
@@ -64,7 +69,7 @@ function syncPane(side: MergeSide, viewport: ViewportPort, parts: Parts): Synced
       shown = next;
     }),
     effect(() => showMarks(viewport, state, side)),
-    effect(() => showLoops(viewport, parts, side)),
+    effect(() => showLoops(loops.port, parts, side)),
     effect(() => viewport.setDisplay(state.display.value)),
     effect(() => {
       if (state.tool.value === 'merge-pins') viewport.setBrush(null);
@@ -76,6 +81,7 @@ function syncPane(side: MergeSide, viewport: ViewportPort, parts: Parts): Synced
     stop: () => {
       for (const stop of stops) stop();
       viewport.setPointerHandler(null);
+      loops.unmount();
     },
   };
 }
@@ -107,30 +113,30 @@ function showMarks(viewport: ViewportPort, { merge, mergeStep }: State, side: Me
   const regions = MARKS.filter((mark) => sideOfMark(mark) === side).map((mark): RegionPaint => {
     const vertices =
       paint?.mark === mark ? paint.vertices : step ? markOf(step, mark, count) : new Uint32Array();
-    return { id: mark, kind: mark, vertices, visible: true, selected: false };
+    return { id: mark, tint: TINTS[mark], vertices, visible: true, selected: false };
   });
   viewport.setRegions(regions);
 }
 
-function showLoops(viewport: ViewportPort, { state, actions }: Parts, side: MergeSide): void {
+function showLoops(layer: LoopsPort, { state, actions }: Parts, side: MergeSide): void {
   const { merge, mergeStep } = state;
   const shown = merge.sides.value[side];
   if (!shown) return;
   const { positions } = shown.model;
-  const line = (loop: readonly number[], kind: LoopLine['kind'], strong: boolean): LoopLine => ({
+  const line = (loop: readonly number[], strong: boolean, tint?: Tint): LoopLine => ({
     points: Float64Array.from(loop.flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)])),
-    kind,
+    ...(tint && { tint }),
     strong,
   });
   const joined = (mergeStep.value?.boundaries ?? []).map((boundary) => boundary[side]);
   const taken = new Set(joined.flat());
   const open = (actions.aids.of(side)?.loops ?? []).filter((loop) => !loop.some((v) => taken.has(v)));
   const marked = [merge.hovered.value, merge.picked.value].filter((each) => each?.side === side);
-  viewport.setLoops([
-    ...joined.map((loop) => line(loop, side, true)),
+  layer.setLoops([
+    ...joined.map((loop) => line(loop, true, TINTS[side])),
     ...open.map((loop) => {
       const strong = marked.some((each) => each?.loop === loop);
-      return line(loop, strong ? side : 'open', strong);
+      return strong ? line(loop, true, TINTS[side]) : line(loop, false);
     }),
   ]);
 }

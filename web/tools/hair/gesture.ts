@@ -1,10 +1,10 @@
 // What the hair tools have in common: a press begins a gesture, and most gestures are one stroke.
 
-import type { StyleCurve } from '../../view/hair/types';
 import type { PointerSample } from '../../view/types';
 import type { Tool } from '../tool';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from './host';
 import type { HeadStroke, SupportStroke } from './stroke';
+import type { CurveKind } from './style';
 
 export interface Gesture {
   move(samples: readonly PointerSample[]): void;
@@ -60,7 +60,7 @@ export abstract class GestureTool implements Tool {
 /** A stroke and what it is to become. */
 export interface Drawn {
   readonly stroke: HeadStroke | SupportStroke;
-  readonly kind: StyleCurve['kind'];
+  readonly kind: CurveKind;
   readonly label: HairEditLabel;
   /** What the stroke so far makes of the step, or why it makes nothing. */
   edited(): HairEdit | HairRemark;
