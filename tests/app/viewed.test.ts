@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import type { HairPort } from '../../web/view/hair/types';
 import type { ViewModel } from '../../web/view/types';
 import { Browser, blindViewport, CUBE_OBJ, file, MemoryStorage, Tab } from './world';
 
@@ -11,14 +12,17 @@ afterEach(() => vi.unstubAllGlobals());
 /** A tab with a cube open, and what its viewport shows. */
 async function looking() {
   const shown: { model: ViewModel | null; strands: number } = { model: null, strands: 0 };
-  const viewport = blindViewport({
-    setModel: (model) => {
-      shown.model = model;
+  const setHair: HairPort['setHair'] = (strands) => {
+    shown.strands = strands ? strands.offsets.length - 1 : 0;
+  };
+  const viewport = blindViewport(
+    {
+      setModel: (model) => {
+        shown.model = model;
+      },
     },
-    setHair: (strands) => {
-      shown.strands = strands ? strands.offsets.length - 1 : 0;
-    },
-  });
+    { hair: { setHair } },
+  );
   const tab = new Tab(new Browser(), new MemoryStorage(), viewport);
   await tab.openCube();
   return { tab, shown };

@@ -11,6 +11,7 @@ import type { MergeWing } from '../../web/app/merge/wing';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
 import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
 import type { WorkspaceId } from '../../web/recipe/recipe';
+import type { LayerKind } from '../../web/view/layer';
 import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
@@ -293,10 +294,22 @@ export class Tab {
 
 const STANDING: ViewportPort['camera'] = { position: [0, 0, 5], target: [0, 0, 0], orthographic: false };
 
-/** A viewport that shows nothing, finds nothing and takes every call. */
-export const blindViewport = (parts: Partial<ViewportPort>): ViewportPort =>
-  new Proxy({ camera: STANDING, ...parts } as ViewportPort, {
-    get: (held, name: keyof ViewportPort) => held[name] ?? (() => null),
+/** What answers in the place of layers, by the id of their kind. */
+export type LayerDoubles = Readonly<Record<string, object>>;
+
+/** A viewport that shows nothing, finds nothing and takes every call; its layers likewise. */
+export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles = {}): ViewportPort => {
+  const mount: ViewportPort['mount'] = <P>({ id }: LayerKind<P>) => ({
+    port: blind(layers[id] ?? {}) as P,
+    unmount: () => {},
+  });
+  return blind({ camera: STANDING, mount, ...parts }) as ViewportPort;
+};
+
+/** Has what it is given; for the rest it takes every call and answers nothing. */
+const blind = <T extends object>(parts: T): T =>
+  new Proxy(parts, {
+    get: (held, name) => Reflect.get(held, name) ?? (() => null),
     set: () => true,
   });
 

@@ -3,14 +3,13 @@
 import { signal } from '@preact/signals';
 import { replaceStep, stepOf } from '../../recipe/edit';
 import type { DeformStep } from '../../recipe/recipe';
-import type { Brush } from '../../tools/brush-stroke';
+import type { Brush, Paint } from '../../tools/brush-stroke';
 import type { DeformEdit, DeformHost, DeformScene, EditLabel } from '../../tools/deform/host';
-import type { RegionPaint, ViewportPort } from '../../view/types';
+import type { MarkersPort } from '../../view/overlays/types';
+import type { ViewportPort } from '../../view/types';
 import { t } from '../i18n';
 import { brushOf, SurfaceAids } from '../surface-aids';
 import type { WingParts } from '../wing';
-
-type Paint = Pick<RegionPaint, 'kind' | 'vertices'>;
 
 export class AppDeformHost implements DeformHost {
   /** The stroke under way. */
@@ -19,6 +18,7 @@ export class AppDeformHost implements DeformHost {
 
   constructor(
     readonly view: ViewportPort,
+    readonly markers: MarkersPort,
     private readonly parts: Pick<WingParts, 'state' | 'document' | 'evaluator'>,
   ) {}
 

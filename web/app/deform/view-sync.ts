@@ -3,24 +3,28 @@
 import { effect } from '@preact/signals';
 import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
+import type { Paint } from '../../tools/brush-stroke';
 import { GizmoDrag, gizmoFrame } from '../../tools/deform/gizmo-drag';
 import { markerId } from '../../tools/deform/host';
 import { paintHandle, paintRoi } from '../../tools/deform/paint-tool';
 import { PointTool } from '../../tools/deform/point-tool';
 import { SelectTool } from '../../tools/deform/select-tool';
+import { MARKERS } from '../../view/overlays/markers';
 import type { RegionPaint, ViewportPort } from '../../view/types';
 import type { Evaluation, Mounted, WingParts } from '../wing';
-import type { AppDeformHost } from './host';
+import { AppDeformHost } from './host';
 import type { DeformState } from './state';
 
-type Parts = Pick<WingParts, 'state' | 'evaluator'>;
+type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator'>;
 
 export function mountDeform(
   viewport: ViewportPort,
-  host: AppDeformHost,
-  { state, evaluator }: Parts,
+  parts: Parts,
   own: DeformState,
 ): Mounted {
+  const { state, evaluator } = parts;
+  const markers = viewport.mount(MARKERS);
+  const host = new AppDeformHost(viewport, markers.port, parts);
   const gizmo = new GizmoDrag(host, () => own.gizmo.peek());
   const painted = new PaintedRegions(viewport);
   /** What is on screen, while it is of the open step. */
@@ -37,7 +41,7 @@ export function mountDeform(
       if (!shown) return;
       const { evaluation, step } = shown;
       painted.show(evaluation, regionsOf(step, selected, stroke, evaluation));
-      viewport.setMarkers(markersOf(step, selected));
+      markers.port.setMarkers(markersOf(step, selected));
     }),
     effect(() => {
       const shown = open();
@@ -73,7 +77,7 @@ export function mountDeform(
     unmount: () => {
       for (const stop of stops) stop();
       viewport.setRegions([]);
-      viewport.setMarkers([]);
+      markers.unmount();
       viewport.setGizmo(null);
       viewport.setHeat(null);
     },
@@ -98,13 +102,13 @@ class PaintedRegions {
 function regionsOf(
   step: DeformStep,
   selected: number | null,
-  stroke: Pick<RegionPaint, 'kind' | 'vertices'> | null,
+  stroke: Paint | null,
   { shown }: Evaluation,
 ): RegionPaint[] {
   const count = shown.model.positions.length / 3;
   const regions: RegionPaint[] = [];
   const roi = stroke?.kind === 'roi' ? stroke.vertices : step.roi === 'all' ? null : indices(step.roi, count);
-  if (roi) regions.push({ id: 'roi', kind: 'roi', vertices: roi, visible: true, selected: false });
+  if (roi) regions.push({ id: 'roi', tint: 'blue', vertices: roi, visible: true, selected: false });
   const painted = stroke?.kind === 'handle' ? stroke.vertices : null;
   let replaced = false;
   step.handles.forEach((handle, i) => {
@@ -113,10 +117,10 @@ function regionsOf(
     replaced ||= isPainted;
     const vertices = isPainted ? painted : indices(handle.vertices, count);
     const visible = !handle.hidden;
-    regions.push({ id: markerId(i), kind: 'handle', vertices, visible, selected: i === selected });
+    regions.push({ id: markerId(i), tint: 'violet', vertices, visible, selected: i === selected });
   });
   if (painted && !replaced)
-    regions.push({ id: 'stroke', kind: 'handle', vertices: painted, visible: true, selected: true });
+    regions.push({ id: 'stroke', tint: 'violet', vertices: painted, visible: true, selected: true });
   return regions;
 }
 

@@ -7,7 +7,6 @@ import { DeformActions } from './actions';
 import { deformCommands, TOOLS } from './commands';
 import { deformStrategy } from './evaluation';
 import { EffectFigures } from './figures';
-import { AppDeformHost } from './host';
 import { lastDeform, openingRecipe, startDeform } from './start';
 import { DeformState } from './state';
 import { deformStatus } from './status';
@@ -44,6 +43,6 @@ export function create(parts: WingParts): DeformWing {
       const handle = item === null ? undefined : own.step.peek()?.handles[item];
       return handle && toIndices(handle.vertices, state.facts.peek()?.vertices ?? 0);
     },
-    mount: (viewport) => mountDeform(viewport, new AppDeformHost(viewport, parts), parts, own),
+    mount: (viewport) => mountDeform(viewport, parts, own),
   };
 }

@@ -5,14 +5,13 @@ import { fromIndices } from '../../core/vertex-set';
 import { replaceStep, stepOf } from '../../recipe/edit';
 import type { HairStep } from '../../recipe/recipe';
 import { scalpOf } from '../../run/steps/hair/scalp';
-import type { Brush } from '../../tools/brush-stroke';
+import type { Brush, Paint } from '../../tools/brush-stroke';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '../../tools/hair/host';
 import { REACH } from '../../tools/hair/measures';
 import type { ScalpHost, ScalpScene } from '../../tools/hair/scalp-tool';
 import { mainPart, pointsOf, primitiveAt } from '../../tools/hair/style';
 import { SupportSurface, viewpointOf } from '../../tools/stroke/support';
 import type { PaintVerb } from '../../tools/paint-tool';
-import type { RegionPaint } from '../../view/types';
 import { t } from '../i18n';
 import { brushOf, SurfaceAids } from '../surface-aids';
 import type { WingParts } from '../wing';
@@ -107,7 +106,7 @@ export class AppHairHost implements HairHost, ScalpHost {
     document.commit(t(`history.hair.${verb}-scalp`), replaceStep(document.recipe, painted));
   }
 
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void {
+  showPaint(paint: Paint | null): void {
     this.paint.value = paint?.vertices ?? null;
   }
 

@@ -3,15 +3,16 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { stepOf } from '../../recipe/edit';
 import type { HairStep } from '../../recipe/recipe';
+import type { CurveKind } from '../../tools/hair/style';
 import type { Line } from '../../tools/stroke/polyline';
 import type { SupportKind, Viewpoint } from '../../tools/stroke/support';
-import type { HairOptions, StyleCurve } from '../../view/hair/types';
+import type { HairOptions } from '../../view/hair/types';
 import type { State } from '../state';
 
 /** A stroke under way that is no edit yet. */
 export interface ShownStroke {
   readonly line: Line;
-  readonly kind: StyleCurve['kind'];
+  readonly kind: CurveKind;
 }
 
 /** What is drawn beside the hair itself. */

@@ -10,7 +10,7 @@ import { PonytailTool, ponytailStage } from '../../tools/hair/ponytail-tool';
 import { paintScalp } from '../../tools/hair/scalp-tool';
 import { HairSelectTool, HintTool } from '../../tools/hair/select-tool';
 import { StreamTool } from '../../tools/hair/stream-tool';
-import { curvesOf, strokeCurve } from '../../tools/hair/style';
+import { CURVE_LOOKS, curvesOf } from '../../tools/hair/style';
 import { HAIR } from '../../view/hair/hair-layer';
 import { BOX } from '../../view/overlays/box';
 import { CURVES } from '../../view/overlays/curves';
@@ -61,7 +61,7 @@ export function mountHair(
       const step = own.step.value;
       const stroke = own.stroke.value;
       const shown = step && own.show.value.curves ? curvesOf(step, state.selection.value.item) : [];
-      const drawn = stroke && stroke.line.length > 1 ? [strokeCurve(stroke)] : [];
+      const drawn = stroke && stroke.line.length > 1 ? [{ id: 'stroke', points: stroke.line, ...CURVE_LOOKS[stroke.kind], selected: false }] : [];
       curves.setCurves([...shown, ...drawn]);
     }),
     effect(() => {
@@ -77,7 +77,7 @@ export function mountHair(
       const vertices = painted ?? scalpOf(step, evaluation.shown.model);
       const shown = tool === 'paint-scalp' || tool === 'paint-length';
       viewport.setRegions(
-        shown ? [{ id: 'scalp', kind: 'scalp', vertices, visible: true, selected: true }] : [],
+        shown ? [{ id: 'scalp', tint: 'green', vertices, visible: true, selected: true }] : [],
       );
     }),
     effect(() => {

@@ -1,13 +1,13 @@
 // The app's side of the merge tools, one for each of the two panes.
 
 import type { MergeStep } from '../../recipe/recipe';
-import type { Brush } from '../../tools/brush-stroke';
+import type { Brush, Paint } from '../../tools/brush-stroke';
 import type { Mark, MergeEditLabel, MergeHost, MergeScene } from '../../tools/merge/host';
 import type { Loop } from '../../tools/merge/loops';
 import type { MergeBoundary, MergeSide } from '../../tools/merge/pins';
 import { verticesThrough } from '../../tools/merge/through';
 import type { PaintVerb } from '../../tools/paint-tool';
-import type { Hit, RegionPaint, ViewportPort } from '../../view/types';
+import type { Hit, ViewportPort } from '../../view/types';
 import { t } from '../i18n';
 import { brushOf } from '../surface-aids';
 import type { WingParts } from '../wing';
@@ -57,7 +57,7 @@ export class AppMergeHost implements MergeHost {
     this.parts.actions.marking.setMark(mark, vertices, t(`history.merge.${verb}-${mark}`));
   }
 
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void {
+  showPaint(paint: Paint | null): void {
     this.parts.own.paint.value = paint && { mark: paint.kind as Mark, vertices: paint.vertices };
   }
 

@@ -21,6 +21,8 @@ type Parts = Pick<WingParts, 'state' | 'document' | 'settings' | 'panes'>;
 /** In the order of the panes. */
 export const SIDES = ['source', 'target'] as const satisfies readonly MergeSide[];
 
+const TINTS = { source: 'red', feature: 'yellow', target: 'azure' } as const;
+
 interface SyncedPane {
   readonly cancel: () => boolean;
   readonly stop: () => void;
@@ -87,7 +89,7 @@ function showMarks(viewport: ViewportPort, own: MergeState, side: MergeSide): vo
   const regions = MARKS.filter((mark) => sideOfMark(mark) === side).map((mark): RegionPaint => {
     const vertices =
       paint?.mark === mark ? paint.vertices : step ? markOf(step, mark, count) : new Uint32Array();
-    return { id: mark, kind: mark, vertices, visible: true, selected: false };
+    return { id: mark, tint: TINTS[mark], vertices, visible: true, selected: false };
   });
   viewport.setRegions(regions);
 }
@@ -98,7 +100,7 @@ function showLoops(loops: LoopsPort, own: MergeState, actions: MergeActions, sid
   const { positions } = shown.model;
   const line = (loop: readonly number[], isOurs: boolean, strong: boolean): LoopLine => ({
     points: Float64Array.from(loop.flatMap((v) => [...positions.subarray(3 * v, 3 * v + 3)])),
-    ...(isOurs && { tint: side }),
+    ...(isOurs && { tint: TINTS[side] }),
     strong,
   });
   const joined = (own.step.value?.boundaries ?? []).map((boundary) => boundary[side]);

@@ -1,14 +1,14 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { pointAt } from '../../tools/geometry';
 import type { MergeSide, Pin } from '../../tools/merge/pins';
 import { slot } from '../../tools/merge/pins';
-import type { Vec3, ViewportPort } from '../../view/types';
+import { isHidden } from '../../tools/sight';
+import type { ViewportPort } from '../../view/types';
 import { useApp } from '../context';
 import { useMerge } from './use-merge';
 
 
 const RADIUS = 10;
-/** A pin is behind the model when the surface in front of it is nearer by this part of the distance. */
-const BEHIND = 0.01;
 
 interface Place {
   readonly x: number;
@@ -87,12 +87,7 @@ function placeOf(
   side: MergeSide,
   left: number,
 ): Place {
-  const v = 3 * pin.vertices[slot(side)];
-  const point: Vec3 = [positions[v]!, positions[v + 1]!, positions[v + 2]!];
-  const { x, y, behind } = view.project(point);
-  const hit = view.pick(x, y);
-  const eye = view.camera.position;
-  const away = Math.hypot(eye[0] - point[0], eye[1] - point[1], eye[2] - point[2]);
-  const hidden = behind || (hit !== null && away - hit.distance > BEHIND * hit.distance);
-  return { x: x + left, y, hidden };
+  const point = pointAt(positions, pin.vertices[slot(side)]);
+  const { x, y } = view.project(point);
+  return { x: x + left, y, hidden: isHidden(view, point) };
 }

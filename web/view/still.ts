@@ -18,8 +18,8 @@ import {
 } from 'three';
 
 /**
- * The mean of many pictures of a scene at rest, each moved by a fraction of a pixel and with other strands
- * standing for those too thin to see: smooth edges and true transparency without sorting anything.
+ * The mean of many pictures of a scene at rest, each moved by a fraction of a pixel and with other places standing
+ * for what is too thin to see: smooth edges and true transparency without sorting anything.
  */
 export class StillPicture {
   readonly #camera = new OrthographicCamera(-1, 1, 1, -1, -1, 1);

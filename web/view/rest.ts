@@ -1,5 +1,5 @@
 import type { OrthographicCamera, PerspectiveCamera, WebGLRenderer } from 'three';
-import { drawsInSoftware } from './lod';
+import { drawsInSoftware } from './software';
 import { StillPicture } from './still';
 
 /** Nothing has moved for so many ms: the picture may be perfected. */

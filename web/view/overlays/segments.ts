@@ -17,6 +17,8 @@ export interface Segments {
   readonly looks: Float32Array;
 }
 
+export const NO_SEGMENTS: Segments = { ends: new Float32Array(), looks: new Float32Array() };
+
 /**
  * Lines of constant width on the screen with soft edges and round ends; `hidden` tells how strongly they show
  * through what lies in front of them.
@@ -51,12 +53,11 @@ export class SegmentLines {
   }
 
   /** @param width, height  CSS pixels */
-  setSize(width: number, height: number): void {
-    for (const { uniforms } of this.#materials) uniforms.screen!.value.set(width, height);
-  }
-
-  setPixelRatio(ratio: number): void {
-    for (const { uniforms } of this.#materials) uniforms.pixelRatio!.value = ratio;
+  resize(width: number, height: number, pixelRatio: number): void {
+    for (const { uniforms } of this.#materials) {
+      uniforms.screen!.value.set(width, height);
+      uniforms.pixelRatio!.value = pixelRatio;
+    }
   }
 
   dispose(): void {

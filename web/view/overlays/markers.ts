@@ -1,20 +1,26 @@
-import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial, type Vector3 } from 'three';
-import type { Palette } from './palette';
-import type { PointMarker } from './types';
-import type { ViewSpace } from './view-space';
+import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
+import type { Layer, LayerContext, LayerKind } from '../layer';
+import type { ModelView } from '../model-view';
+import type { Palette } from '../palette';
+import { ViewSpace } from '../view-space';
+import type { MarkersPort, PointMarker } from './types';
 
 /** Diameter in CSS pixels, outline included. */
 const SIZE = 17;
+/** Fingers and pens are less exact than this many CSS pixels. */
+const REACH = 14;
 
 /** Points of constant size on the screen, drawn over the model; paler where the model hides them. */
-export class Markers {
+class Markers implements Layer, MarkersPort {
   readonly group = new Group();
   readonly #front = beads(1, true);
   readonly #behind = beads(0.3, false);
   readonly #geometry = new BufferGeometry();
   #shown: readonly PointMarker[] = [];
+  #space = ViewSpace.identity;
+  #model: ModelView | undefined;
 
-  constructor() {
+  constructor(private readonly context: LayerContext) {
     const behind = new Points(this.#geometry, this.#behind);
     const front = new Points(this.#geometry, this.#front);
     behind.renderOrder = 20;
@@ -26,42 +32,32 @@ export class Markers {
 
   setPalette(palette: Palette): void {
     for (const material of [this.#front, this.#behind]) {
-      (material.uniforms.colour!.value as Color).set(palette.regions.handle).convertLinearToSRGB();
+      (material.uniforms.colour!.value as Color).set(palette.tints.violet).convertLinearToSRGB();
     }
   }
 
-  set(markers: readonly PointMarker[], space: ViewSpace): void {
+  place(space: ViewSpace, model: ModelView | undefined): void {
+    if (model !== this.#model) this.#shown = [];
+    this.#space = space;
+    this.#model = model;
+    this.#draw();
+  }
+
+  resize(_width: number, _height: number, pixelRatio: number): void {
+    for (const material of [this.#front, this.#behind]) material.uniforms.size!.value = SIZE * pixelRatio;
+  }
+
+  setMarkers(markers: readonly PointMarker[]): void {
     this.#shown = markers.filter((marker) => marker.visible);
-    const places = new Float32Array(3 * this.#shown.length);
-    this.#shown.forEach((marker, i) => {
-      space.toView(marker.position).toArray(places, 3 * i);
-    });
-    this.#geometry.setAttribute('position', new BufferAttribute(places, 3));
-    const chosen = Float32Array.from(this.#shown, (marker) => Number(marker.selected));
-    this.#geometry.setAttribute('chosen', new BufferAttribute(chosen, 1));
-    this.group.visible = this.#shown.length > 0;
+    this.#draw();
+    this.context.redraw();
   }
 
-  setPixelRatio(ratio: number): void {
-    for (const material of [this.#front, this.#behind]) material.uniforms.size!.value = SIZE * ratio;
-  }
-
-  /**
-   * The marker nearest to (x, y) within `reach` CSS pixels.
-   *
-   * @param project  drawn place to CSS pixels, z < 0 behind the eye
-   */
-  pick(
-    x: number,
-    y: number,
-    reach: number,
-    space: ViewSpace,
-    project: (p: Vector3) => Vector3,
-  ): string | null {
+  pickMarker(x: number, y: number): string | null {
     let best: string | null = null;
-    let nearest = reach;
+    let nearest = REACH;
     for (const marker of this.#shown) {
-      const at = project(space.toView(marker.position));
+      const at = this.context.onScreen(this.#space.toView(marker.position));
       const gap = at.z < 0 ? Infinity : Math.hypot(at.x - x, at.y - y);
       if (gap > nearest) continue;
       nearest = gap;
@@ -75,7 +71,25 @@ export class Markers {
     this.#front.dispose();
     this.#behind.dispose();
   }
+
+  #draw(): void {
+    const places = new Float32Array(3 * this.#shown.length);
+    this.#shown.forEach((marker, i) => {
+      this.#space.toView(marker.position).toArray(places, 3 * i);
+    });
+    // Attributes of another length are other buffers: the old ones go with the geometry's.
+    this.#geometry.dispose();
+    this.#geometry.setAttribute('position', new BufferAttribute(places, 3));
+    const chosen = Float32Array.from(this.#shown, (marker) => Number(marker.selected));
+    this.#geometry.setAttribute('chosen', new BufferAttribute(chosen, 1));
+    this.group.visible = this.#shown.length > 0;
+  }
 }
+
+export const MARKERS: LayerKind<MarkersPort> = {
+  id: 'markers',
+  make: (context) => new Markers(context),
+};
 
 function beads(opacity: number, depthTest: boolean): ShaderMaterial {
   return new ShaderMaterial({

@@ -1,15 +1,16 @@
-import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial, type Vector3 } from 'three';
-import type { ViewSpace } from '../view-space';
+import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
+import type { Layer, LayerContext, LayerKind } from '../layer';
+import { ViewSpace } from '../view-space';
 import { SegmentLines } from './segments';
-import type { CurveHit, StyleCurve } from './types';
+import type { Curve, CurveHit, CurvesPort } from './types';
 
-const COLOURS: Readonly<Record<StyleCurve['kind'], string>> = {
-  stream: '#4f8cff',
-  parting: '#e3b341',
-  spine: '#a566ff',
-  section: '#4cc38a',
-  profile: '#3fc3d8',
-  hint: '#ff6b6b',
+const COLOURS: Readonly<Record<Curve['tint'], string>> = {
+  blue: '#4f8cff',
+  yellow: '#e3b341',
+  violet: '#a566ff',
+  green: '#4cc38a',
+  cyan: '#3fc3d8',
+  coral: '#ff6b6b',
 };
 /** CSS pixels. */
 const WIDTH = 2.5;
@@ -17,16 +18,18 @@ const BEAD = 9;
 const POINT_REACH = 11;
 const LINE_REACH = 8;
 
-/** The style's curves over the hair: thin lines with small beads, paler where something hides them. */
-export class CurveOverlay {
+/** Curves over everything: thin lines with small beads, paler where something hides them. */
+class CurveOverlay implements Layer, CurvesPort {
   readonly group = new Group();
+  readonly aid = true;
   readonly #lines = new SegmentLines({ hidden: 0.35, order: 30 });
   readonly #beadGeometry = new BufferGeometry();
   readonly #front = beads(1, true);
   readonly #behind = beads(0.35, false);
-  #curves: readonly StyleCurve[] = [];
+  #curves: readonly Curve[] = [];
+  #space = ViewSpace.identity;
 
-  constructor() {
+  constructor(private readonly context: LayerContext) {
     [this.#behind, this.#front].forEach((material, i) => {
       const points = new Points(this.#beadGeometry, material);
       points.frustumCulled = false;
@@ -37,19 +40,43 @@ export class CurveOverlay {
     this.group.visible = false;
   }
 
-  set(curves: readonly StyleCurve[], space: ViewSpace): void {
+  place(space: ViewSpace): void {
+    this.#space = space;
+    this.#draw();
+  }
+
+  resize(width: number, height: number, pixelRatio: number): void {
+    this.#lines.resize(width, height, pixelRatio);
+    for (const material of [this.#front, this.#behind]) material.uniforms.size!.value = BEAD * pixelRatio;
+  }
+
+  setCurves(curves: readonly Curve[]): void {
     this.#curves = curves;
+    this.#draw();
+    this.context.redraw();
+  }
+
+  pickCurve(x: number, y: number): CurveHit | null {
+    return pickCurve(this.#curves, x, y, (point) => this.context.onScreen(this.#space.toView(point)));
+  }
+
+  dispose(): void {
+    for (const part of [this.#lines, this.#beadGeometry, this.#front, this.#behind]) part.dispose();
+  }
+
+  #draw(): void {
+    const curves = this.#curves;
     const pieces = curves.reduce((sum, { points }) => sum + Math.max(0, points.length - 1), 0);
     const ends = new Float32Array(6 * pieces);
     const looks = new Float32Array(4 * pieces);
     const places: number[] = [];
     const tints: number[] = [];
     let piece = 0;
-    for (const { points, kind, selected } of curves) {
-      const tint = shown(kind, selected);
-      const drawn = points.map((point) => space.toView(point));
+    for (const { points, tint: name, selected, plain } of curves) {
+      const tint = shown(name, selected);
+      const drawn = points.map((point) => this.#space.toView(point));
       drawn.forEach((place, i) => {
-        if (kind !== 'hint') {
+        if (!plain) {
           places.push(...place);
           tints.push(...tint, Number(selected));
         }
@@ -65,41 +92,26 @@ export class CurveOverlay {
     this.#beadGeometry.setAttribute('tint', new BufferAttribute(Float32Array.from(tints), 4));
     this.group.visible = curves.length > 0;
   }
-
-  /** Draws the same curves in another space. */
-  place(space: ViewSpace): void {
-    this.set(this.#curves, space);
-  }
-
-  setSize(width: number, height: number, pixelRatio: number): void {
-    this.#lines.setSize(width, height);
-    this.#lines.setPixelRatio(pixelRatio);
-    for (const material of [this.#front, this.#behind]) material.uniforms.size!.value = BEAD * pixelRatio;
-  }
-
-  /** @param project  model place to CSS pixels, z < 0 behind the eye */
-  pick(x: number, y: number, project: (point: StyleCurve['points'][number]) => Vector3): CurveHit | null {
-    return pickCurve(this.#curves, x, y, project);
-  }
-
-  dispose(): void {
-    for (const part of [this.#lines, this.#beadGeometry, this.#front, this.#behind]) part.dispose();
-  }
 }
+
+export const CURVES: LayerKind<CurvesPort> = {
+  id: 'curves',
+  make: (context) => new CurveOverlay(context),
+};
 
 /** The nearest control point in reach, else the nearest line in reach. */
 export function pickCurve(
-  curves: readonly StyleCurve[],
+  curves: readonly Curve[],
   x: number,
   y: number,
-  project: (point: StyleCurve['points'][number]) => { x: number; y: number; z: number },
+  project: (point: Curve['points'][number]) => { x: number; y: number; z: number },
 ): CurveHit | null {
   let point: CurveHit | null = null;
   let line: CurveHit | null = null;
   let nearestPoint = POINT_REACH;
   let nearestLine = LINE_REACH;
-  for (const { id, kind, points } of curves) {
-    if (kind === 'hint') continue;
+  for (const { id, plain, points } of curves) {
+    if (plain) continue;
     const seen = points.map(project);
     seen.forEach((a, i) => {
       if (a.z < 0) return;
@@ -122,8 +134,8 @@ export function pickCurve(
 }
 
 /** As the screen shows it. */
-function shown(kind: StyleCurve['kind'], selected: boolean): [number, number, number] {
-  const colour = new Color(COLOURS[kind]).convertLinearToSRGB();
+function shown(tint: Curve['tint'], selected: boolean): [number, number, number] {
+  const colour = new Color(COLOURS[tint]).convertLinearToSRGB();
   if (selected) colour.lerp(new Color(1, 1, 1), 0.45);
   return colour.toArray() as [number, number, number];
 }

@@ -1,18 +1,15 @@
 import { expect, test } from 'vitest';
-import { pickCurve } from '../../../web/view/hair/curves';
-import type { StyleCurve } from '../../../web/view/hair/types';
+import { pickCurve } from '../../../web/view/overlays/curves';
+import type { Curve } from '../../../web/view/overlays/types';
 
-const curve = (
-  id: string,
-  points: StyleCurve['points'],
-  kind: StyleCurve['kind'] = 'stream',
-): StyleCurve => ({
+const curve = (id: string, points: Curve['points'], plain = false): Curve => ({
   id,
   points,
-  kind,
+  tint: 'blue',
   selected: false,
+  plain,
 });
-const flat = ([x, y, z]: StyleCurve['points'][number]) => ({ x, y, z });
+const flat = ([x, y, z]: Curve['points'][number]) => ({ x, y, z });
 const CURVES = [
   curve('a', [
     [0, 0, 1],
@@ -37,8 +34,8 @@ test('the last control point belongs to the last piece', () => {
   expect(pickCurve(CURVES, 203, 2, flat)).toEqual({ id: 'a', point: 2, segment: 1 });
 });
 
-test('nothing is met beside the curves, behind the eye, or on a hint', () => {
+test('nothing is met beside the curves, behind the eye, or on a plain line', () => {
   expect(pickCurve(CURVES, 150, 40, flat)).toBeNull();
   expect(pickCurve([curve('c', [[0, 0, -1]])], 0, 0, flat)).toBeNull();
-  expect(pickCurve([curve('h', [[0, 0, 1]], 'hint')], 0, 0, flat)).toBeNull();
+  expect(pickCurve([curve('h', [[0, 0, 1]], true)], 0, 0, flat)).toBeNull();
 });
