@@ -23,6 +23,12 @@ await pictures(
 );
 await pictures(all.filter(isHair), true);
 
+/** In the page: draws so many of the strands, 0 to 1. */
+async function strandShare(share) {
+  const { state } = await window.__lissom.app.wings.load('hair');
+  state.share.value = share;
+}
+
 /** @param ofHair  thousands of strands: seen from the front, and drawn whole for the picture only */
 async function pictures(entries, ofHair) {
   if (entries.length === 0) return;
@@ -30,7 +36,7 @@ async function pictures(entries, ofHair) {
   page.setDefaultTimeout(300_000);
   try {
     for (const { name } of entries) {
-      if (ofHair) await page.evaluate(() => window.__lissom.app.viewport.setStrandShare(0.01));
+      if (ofHair) await page.evaluate(strandShare, 0.01);
       await page.evaluate(async (title) => {
         const { app } = window.__lissom;
         await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === title));
@@ -40,7 +46,7 @@ async function pictures(entries, ofHair) {
       await page.evaluate(bare, { distance: 0.87 });
       if (ofHair) {
         await page.evaluate(cameraOnHead);
-        await page.evaluate(() => window.__lissom.app.viewport.setStrandShare(1));
+        await page.evaluate(strandShare, 1);
       }
       const samples = ofHair ? SAMPLES.hair : SAMPLES.model;
       const picture = await page.evaluate(drawn, { ...SIZE, samples });

@@ -1,18 +1,12 @@
-import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';
 import { breaches, importsOf, includeBreaches, includesOf } from './architecture';
+import { filesUnder } from './files';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
-function filesUnder(folder: string, ends: readonly string[]): string[] {
-  return readdirSync(path.join(root, folder)).flatMap((name) => {
-    const file = `${folder}/${name}`;
-    if (statSync(path.join(root, file)).isDirectory()) return filesUnder(file, ends);
-    return ends.some((end) => file.endsWith(end)) ? [file] : [];
-  });
-}
 const text = (file: string) => readFileSync(path.join(root, file), 'utf8');
 
 test('no file of web/ imports from a floor above its own', () => {

@@ -38,6 +38,10 @@ export function importsOf(source: string): string[] {
   return [...code.matchAll(forms)].map((match) => match[1] ?? match[2] ?? match[3] ?? '');
 }
 
+/** Those that are loaded only when they are needed: `import()` and workers. */
+export const lazyImportsOf = (source: string): string[] =>
+  [...source.matchAll(/(?:\bimport\(|new URL\()\s*['"]([^'"]+)['"]/g)].map((match) => match[1] ?? '');
+
 /** What each room may include beside itself. */
 const ROOMS: Record<string, readonly string[]> = {
   mesh: [],

@@ -86,7 +86,9 @@ test('selecting is undoable', async () => {
 });
 
 test('selecting after an undo does not throw away what redo would bring back', async () => {
-  const { document, deform, state } = (await cubeWithHandles()).app;
+  const tab = await cubeWithHandles();
+  const { document, state } = tab.app;
+  const { deform } = tab;
   deform.setPose(0, { translation: [5, 0, 0] });
   document.undo();
   document.select(0);
@@ -108,7 +110,7 @@ test('"apply and continue" starts a new step on the result of the last', async (
     ['deform 1', 'cube'],
     ['deform 2', 'deform 1'],
   ]);
-  expect(state.step.value?.options.removeShear).toBe(false);
+  expect(deform.step?.options.removeShear).toBe(false);
   expect(positions(tab)[0]).toBe(5);
   expect(state.selection.value).toEqual({ step: 'deform 2', item: null });
 });
@@ -142,7 +144,9 @@ test('a step put between two others takes the later one with it', async () => {
 });
 
 test('a step that is removed leaves the rest in order', async () => {
-  const { document, deform } = (await cubeWithHandles()).app;
+  const tab = await cubeWithHandles();
+  const { document } = tab.app;
+  const { deform } = tab;
   deform.applyAndContinue();
   document.removeStep('deform 2');
   expect(document.recipe.steps).toHaveLength(1);

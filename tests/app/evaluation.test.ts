@@ -83,7 +83,7 @@ test('after an edit it is told what it did', async () => {
   tab.deform.setPose(0, { translation: [3, 0, 0] });
   await tab.app.evaluator.settled();
   await vi.waitFor(() =>
-    expect(tab.app.state.whatItDid.value).toMatchObject({
+    expect(tab.deformState.whatItDid.value).toMatchObject({
       worstStretch: 0.25,
       handlesMet: 2,
       handles: 2,

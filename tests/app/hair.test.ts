@@ -1,9 +1,9 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { growsAlike } from '../../web/app/hair/evaluation';
+import { headHeight } from '../../web/app/hair/head-height';
 import { frameHair } from '../../web/app/hair/opening';
 import { fitted } from '../../web/app/hair/refit';
 import { growOn } from '../../web/app/hair/start';
-import { headHeight } from '../../web/app/hair/head-height';
 import { LissomError } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
 import type { HairStep } from '../../web/recipe/recipe';

@@ -46,7 +46,7 @@ async function bowlOpen(): Promise<Tab> {
 async function lidChosen(): Promise<Tab> {
   const tab = await bowlOpen();
   await tab.app.commands.run('workspace.merge');
-  tab.merge.choosePart('lid', { builtin: 'lid' });
+  tab.app.state.choosing.value!.choose('lid', { builtin: 'lid' });
   await tab.app.evaluator.settled();
   return tab;
 }
@@ -111,7 +111,6 @@ test('a found pin that is moved is written into the recipe, and the merge follow
 
 test('two openings picked by hand are a pair; picking the same one again lets it go', async () => {
   const tab = await lidChosen();
-  const { state } = tab.app;
   const { merge } = tab;
   const loop = (side: 'source' | 'target'): Loop => merge.aids.of(side)!.loops[0]!;
   merge.joins.pickLoop('target', loop('target'));
@@ -136,7 +135,7 @@ test('what is merged can be exported, deformed, and merged again', async () => {
   expect(tab.saved.map(({ bytes }) => bytes.length > 1000)).toEqual([true, true, true, true]);
   await tab.app.commands.run('merge.another');
   expect(tab.app.state.choosing.value).not.toBeNull();
-  await tab.merge.cancelChoosing();
+  tab.merge.part.cancel();
   await tab.app.commands.run('merge.deform');
   await tab.app.evaluator.settled();
   expect(tab.app.state.step.value).toMatchObject({ id: 'deform 2', model: 'merge 1' });
@@ -158,7 +157,7 @@ test('another part keeps what is marked on the target', async () => {
   const tab = await lidChosen();
   tab.merge.marking.setMark('target', Uint32Array.from([0, 1, 2]), 'Mark');
   await tab.app.commands.run('merge.part');
-  tab.merge.choosePart('lid 2', { builtin: 'lid' });
+  tab.app.state.choosing.value!.choose('lid 2', { builtin: 'lid' });
   expect(step(tab)).toMatchObject({ id: 'merge 1', source: 'lid 2' });
   expect(tab.merge.marking.markSize('target')).toBe(3);
   expect(Object.keys(tab.app.document.recipe.models)).toEqual(['bowl', 'lid 2']);
@@ -166,7 +165,7 @@ test('another part keeps what is marked on the target', async () => {
 
 test('marks that cannot be joined are told in words that say what to do, and nothing is lost', async () => {
   const tab = await lidChosen();
-  const { state, evaluator, document } = tab.app;
+  const { evaluator, document } = tab.app;
   const { merge } = tab;
   const vertices = (from: number, to: number) => Uint32Array.from({ length: to - from }, (_, i) => from + i);
   merge.marking.setMark('source', vertices(120, 241), 'Mark');
@@ -174,7 +173,7 @@ test('marks that cannot be joined are told in words that say what to do, and not
   merge.marking.setMark('target', vertices(200, 373), 'Mark');
   const before = document.recipe;
   // Without the button's tidying.
-  tab.mergeState.held.value = null;
+  tab.mergeState.letGo();
   await evaluator.settled();
   expect(tab.mergeState.problem.value).toContain('yellow');
   expect(merged(tab)).toBeNull();
@@ -188,7 +187,7 @@ test('stopping a merge leaves its button to begin again', async () => {
   const tab = await lidChosen();
   await tab.app.commands.run('merge.run');
   await tab.app.evaluator.settled();
-  tab.mergeState.held.value = 'merge 1';
+  tab.mergeState.hold('merge 1');
   await tab.app.evaluator.settled();
   expect(merged(tab)).toBeNull();
   await tab.app.commands.run('merge.run');

@@ -2,7 +2,7 @@
 // under test may hand in doubles. What a wing offers beside is in its own folder; its panels know it.
 
 import type { ReadonlySignal } from '@preact/signals';
-import type { WorkspaceId } from '../recipe/recipe';
+import type { Recipe, WorkspaceId } from '../recipe/recipe';
 import type { ViewportPort } from '../view/types';
 import type { Commands } from './commands';
 import type { Panes } from './panes';
@@ -35,6 +35,9 @@ export interface WingService {
   readonly open: ReadonlySignal<{ readonly id: WorkspaceId; readonly wing: Wing } | null>;
   /** One that is loaded. Reads signals. */
   get(id: WorkspaceId): Wing | undefined;
+  load(id: WorkspaceId): Promise<Wing>;
+  /** That of a step, before it is laid open: then it is on screen at once. */
+  loadFor(recipe: Recipe, step: string): Promise<void>;
   /** Loads what is not loaded yet, for lists of everything. */
   loadAll(): Promise<void>;
 }

@@ -5,14 +5,13 @@ import type { Finding } from '../core/errors';
 import { stepById } from '../recipe/edit';
 import type { Recipe } from '../recipe/recipe';
 import { referencesOf } from '../recipe/references';
-import type { MessageService } from './api';
+import type { MessageService, WingService } from './api';
 import type { Autosave } from './autosave';
 import { type Document, openingSelection } from './document';
+import type { RunnerPort } from './evaluated';
 import { factsOf } from './figures';
 import { t } from './i18n';
 import type { State } from './state';
-import type { RunnerPort } from './wing';
-import type { WingRoom } from './wing-room';
 
 export interface Opening {
   readonly recipe: Recipe;
@@ -31,7 +30,7 @@ export class Desk {
     private readonly state: State,
     private readonly document: Document,
     private readonly runner: Pick<RunnerPort, 'opened'>,
-    private readonly wings: () => Pick<WingRoom, 'loadFor' | 'open'>,
+    private readonly wings: () => Pick<WingService, 'loadFor' | 'open'>,
     private readonly autosave: Autosave,
     private readonly messages: MessageService,
   ) {}

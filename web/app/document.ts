@@ -75,9 +75,9 @@ export class Document implements DocumentService {
     this.#history.preview(recipe, selection);
   }
 
-  /** @param merge  edits of one key in quick succession are one step of undo */
-  commit(label: string, recipe: Recipe, selection: Selection = this.selection, merge?: string): void {
-    this.#history.commit(label, recipe, selection, merge === undefined ? {} : { merge });
+  /** @param series  edits of one in quick succession are one step of undo */
+  commit(label: string, recipe: Recipe, selection: Selection = this.selection, series?: string): void {
+    this.#history.commit(label, recipe, selection, series === undefined ? {} : { series });
   }
 
   /** Commits what is previewed. */
@@ -126,7 +126,7 @@ export class Document implements DocumentService {
     if (step === selection.step && item === selection.item) return;
     // A selection would cut off what redo could still bring back, so until then it is only shown.
     if (this.#history.canRedo) this.#history.preview(this.recipe, selection);
-    else this.#history.commit(t('history.select'), this.recipe, selection, { merge: 'select' });
+    else this.#history.commit(t('history.select'), this.recipe, selection, { series: 'select' });
   }
 
   #lay(history: History<Recipe, Selection>): void {

@@ -6,15 +6,14 @@ import { effect, type ReadonlySignal, signal } from '@preact/signals';
 import { isCancelled } from '../core/errors';
 import { Latest } from '../core/latest';
 import type { Step } from '../recipe/recipe';
+import { busySign } from './busy-sign';
+import type { Evaluation, EvaluatorPort, Outcome, Request, RunnerPort, Strategy } from './evaluated';
 import { solveTime } from './figures';
 import { t } from './i18n';
 import type { State } from './state';
-import type { Evaluation, EvaluatorPort, Outcome, Request, RunnerPort, Strategy } from './wing';
 
 /** A live step slower than this shows a quick preview and settles on release. */
 const FRAME_BUDGET = 120;
-/** Work shorter than this shows no progress, in milliseconds. */
-const PATIENCE = 250;
 
 interface Parts {
   readonly runner: RunnerPort;
@@ -88,10 +87,18 @@ export class Evaluator implements EvaluatorPort {
     this.#runs.push(request);
   }
 
+  /** By hand. */
+  #stopped(): void {
+    const last = this.#last;
+    this.#last = null;
+    this.#runs.cancel();
+    if (last) last.strategy.stopped?.(last.step);
+  }
+
   async #evaluate(request: Pending, aborted: AbortSignal): Promise<Evaluation> {
     const { recipe, step, live, strategy } = request;
     const started = performance.now();
-    const busy = this.#busy(request);
+    const busy = busySign(this.parts.state.busy, t(strategy.busy), () => this.#stopped());
     const evaluation = (outcome: Outcome): Evaluation => ({
       strands: null,
       report: null,
@@ -118,35 +125,6 @@ export class Evaluator implements EvaluatorPort {
     } finally {
       busy.end();
     }
-  }
-
-  /** Shows progress once the work has taken long enough to be noticed. */
-  #busy({ strategy }: Pending) {
-    const { busy } = this.parts.state;
-    const label = t(strategy.busy);
-    let fraction: number | null = null;
-    let shown = false;
-    const cancel = () => {
-      const step = this.#last?.step;
-      this.#last = null;
-      this.#runs.cancel();
-      if (step) strategy.stopped?.(step);
-    };
-    const show = () => {
-      shown = true;
-      busy.value = { label, fraction, cancel };
-    };
-    const timer = setTimeout(show, PATIENCE);
-    return {
-      progress: (done: number) => {
-        fraction = done;
-        if (shown) show();
-      },
-      end: () => {
-        clearTimeout(timer);
-        if (shown) busy.value = null;
-      },
-    };
   }
 }
 

@@ -4,8 +4,8 @@ import { batch, effect } from '@preact/signals';
 import { faceCount, vertexCount } from '../core/model';
 import type { StepReport } from '../run/results';
 import type { ModelResult } from '../run/types';
+import type { Evaluation, EvaluatorPort } from './evaluated';
 import type { ModelFacts, State } from './state';
-import type { Evaluation, EvaluatorPort } from './wing';
 
 export const factsOf = ({ model, opened }: Pick<ModelResult, 'model' | 'opened'>): ModelFacts => ({
   name: model.name,

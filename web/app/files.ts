@@ -5,17 +5,17 @@ import { type Model, withPositions } from '../core/model';
 import { readModel, writeModel, writeProject } from '../io/index';
 import { formatRecipe } from '../recipe/format';
 import type { ViewportPort } from '../view/types';
-import type { ExportChoice, ExportFormat, FileService, MessageService } from './api';
+import type { ExportChoice, ExportFormat, FileService, MessageService, WingService } from './api';
 import type { Desk } from './desk';
 import type { Document } from './document';
+import type { Evaluation, EvaluatorPort } from './evaluated';
 import type { FileDialogs, SaveOptions } from './file-dialogs';
 import { t } from './i18n';
 import type { ModelStore } from './model-store';
 import { EXTENSIONS, FileOpener } from './open-files';
 import { pictureOf } from './picture';
 import type { State } from './state';
-import type { Evaluation, EvaluatorPort, ExportGroup } from './wing';
-import type { WingRoom } from './wing-room';
+import type { ExportGroup } from './wing';
 
 const MIME: Readonly<Record<ExportFormat, string>> = {
   obj: 'model/obj',
@@ -37,7 +37,7 @@ export interface FileParts {
   readonly viewport: ViewportPort | null;
   readonly messages: MessageService;
   readonly dialogs: FileDialogs;
-  readonly wings: () => Pick<WingRoom, 'load' | 'open'>;
+  readonly wings: () => Pick<WingService, 'load' | 'open'>;
 }
 
 export class Files implements FileService {

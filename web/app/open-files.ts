@@ -2,21 +2,20 @@
 // a wing knows to look at. A document is replaced only once what was opened has proved usable, so a bad file costs nothing.
 
 import { readModel, readProject } from '../io/index';
+import { LOOSE_ENDINGS, looseKind } from '../io/loose';
 import { isPng } from '../io/png-text';
 import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
-import type { MessageService } from './api';
+import type { MessageService, WingService } from './api';
 import type { Desk } from './desk';
 import { t } from './i18n';
-import { looseKind } from './loose-files';
 import type { ModelStore } from './model-store';
 import { recipeOf } from './picture';
 import type { State } from './state';
-import type { WingRoom } from './wing-room';
 import { wingFor } from './wings';
 
 const MESHES = ['.obj', '.ply', '.stl', '.glb', '.gltf', '.off'];
-export const EXTENSIONS = [...MESHES, '.hair', '.zip', '.json', '.png'];
+export const EXTENSIONS = [...MESHES, ...LOOSE_ENDINGS, '.zip', '.json', '.png'];
 
 export interface ReadFile {
   readonly name: string;
@@ -28,7 +27,7 @@ interface Parts {
   readonly models: Pick<ModelStore, 'add' | 'read'>;
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
-  readonly wings: () => Pick<WingRoom, 'load'>;
+  readonly wings: () => Pick<WingService, 'load'>;
 }
 
 export class FileOpener {
@@ -51,7 +50,7 @@ export class FileOpener {
         files.filter((file) => file !== picture),
         stem(picture.name),
       );
-    const mesh = files.find(({ name }) => hasEnding(name, [...MESHES, '.hair'])) ?? files[0]!;
+    const mesh = files.find(({ name }) => hasEnding(name, [...MESHES, ...LOOSE_ENDINGS])) ?? files[0]!;
     if (files.length > 1) this.parts.messages.toast('info', t('error.several-files', { name: mesh.name }));
     const loose = looseKind(mesh.bytes, mesh.name);
     const wing = loose && wingFor(loose.kind);

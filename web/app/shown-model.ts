@@ -3,8 +3,8 @@
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import type { Model } from '../core/model';
 import type { ViewModel, ViewportPort } from '../view/types';
+import type { Evaluation, EvaluatorPort } from './evaluated';
 import type { State } from './state';
-import type { Evaluation, EvaluatorPort } from './wing';
 
 /** A model ready to draw. */
 export function viewModel(

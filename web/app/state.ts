@@ -143,10 +143,7 @@ export class State {
   });
   /** That of the open step, or of the one being started. */
   readonly workspace: ReadonlySignal<WorkspaceId> = computed(
-    () =>
-      this.choosing.value?.workspace ??
-      stepRow(this.step.value?.type)?.workspace ??
-      this.home,
+    () => this.choosing.value?.workspace ?? stepRow(this.step.value?.type)?.workspace ?? this.home,
   );
   readonly viewing = signal<Viewing | null>(null);
   /** One of the open workspace's; `''` before there is any. */

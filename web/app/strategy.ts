@@ -3,7 +3,7 @@
 import type { Recipe, Step } from '../recipe/recipe';
 import { mainInput } from '../recipe/references';
 import type { ModelResult } from '../run/types';
-import type { Evaluating, Outcome, Request, Strategy } from './wing';
+import type { Evaluating, Outcome, Request, Strategy } from './evaluated';
 
 /** Runs the step; what it leaves is on screen. For step types without a workspace. */
 export const PLAIN: Strategy = {

@@ -4,16 +4,12 @@ import { computed, effect, type ReadonlySignal, signal, untracked } from '@preac
 import type { Finding } from '../core/errors';
 import { type Recipe, type Step, stepRow, type WorkspaceId } from '../recipe/recipe';
 import type { WingService } from './api';
+import type { Evaluation, Strategy } from './evaluated';
 import { addWords } from './i18n';
 import type { State } from './state';
 import { PLAIN } from './strategy';
-import type { Evaluation, Mounted, Strategy, Wing, WingParts } from './wing';
-
-/** A wing's chunk. */
-export interface WingModule {
-  readonly words: Readonly<Record<string, string>>;
-  create(parts: WingParts): Wing;
-}
+import type { Mounted, Wing } from './wing';
+import type { WingModule, WingParts } from './wing-parts';
 
 export type WingLoaders = Readonly<Record<WorkspaceId, { readonly load: () => Promise<WingModule> }>>;
 

@@ -1,8 +1,8 @@
 // The wings, one line each: the registry of this floor. Each is a chunk of its own, loaded when it is first needed.
 
+import type { LooseKind } from '../io/loose';
 import type { WorkspaceId } from '../recipe/recipe';
-import type { LooseKind } from './loose-files';
-import type { WingModule } from './wing-room';
+import type { WingModule } from './wing-parts';
 
 interface Entry {
   readonly icon: string;

@@ -3,15 +3,14 @@
 import { stepById } from '../recipe/edit';
 import { type Recipe, stepRow, type WorkspaceId } from '../recipe/recipe';
 import { mainInput } from '../recipe/references';
-import type { WorkspaceService } from './api';
+import type { WingService, WorkspaceService } from './api';
 import type { Document } from './document';
 import type { State } from './state';
-import type { WingRoom } from './wing-room';
 
 interface Parts {
   readonly state: State;
   readonly document: Document;
-  readonly wings: () => Pick<WingRoom, 'load' | 'get'>;
+  readonly wings: () => Pick<WingService, 'load' | 'get'>;
 }
 
 export class Workspaces implements WorkspaceService {

@@ -5,7 +5,8 @@ import type { State } from '../state';
 import type { Gestures } from '../wing';
 
 /** The ids that have a name among the messages. */
-export type ToolId = Extract<MessageKey, `command.tool.${string}`> extends `command.tool.${infer T}` ? T : never;
+export type ToolId =
+  Extract<MessageKey, `command.tool.${string}`> extends `command.tool.${infer T}` ? T : never;
 
 interface Context {
   readonly state: Pick<State, 'tool'>;

@@ -19,9 +19,9 @@ import {
 } from '../../tools/geometry';
 import type { Vec3 } from '../../view/types';
 import type { Document } from '../document';
+import type { EvaluatorPort } from '../evaluated';
 import { t } from '../i18n';
 import type { Pose } from '../pose';
-import type { EvaluatorPort } from '../wing';
 import type { DeformService } from './api';
 import type { DeformState } from './state';
 
@@ -157,7 +157,12 @@ export class DeformActions implements DeformService {
   }
 
   #replace(label: string, index: number, handle: DeformHandle, merge?: string): void {
-    this.#edit(label, (recipe, step) => edit.replaceStep(recipe, withHandle(step, index, handle)), index, merge);
+    this.#edit(
+      label,
+      (recipe, step) => edit.replaceStep(recipe, withHandle(step, index, handle)),
+      index,
+      merge,
+    );
   }
 
   /** @param item  selected afterwards; as before when left out */

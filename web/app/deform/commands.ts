@@ -2,7 +2,7 @@ import type { GizmoMode } from '../../view/types';
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
 import type { MessageKey } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { DeformService } from './api';
 import type { DeformState } from './state';
 

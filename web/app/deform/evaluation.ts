@@ -1,8 +1,8 @@
 // How a deform step is computed for the screen: factored once per set of handles, solved as often as they move.
 
 import type { DeformStep } from '../../recipe/recipe';
+import type { Evaluating, Outcome, Request, Strategy } from '../evaluated';
 import { sameBefore, untouched } from '../strategy';
-import type { Evaluating, Outcome, Request, Strategy } from '../wing';
 
 export const deformStrategy: Strategy<DeformStep> = {
   busy: 'busy.preparing',
@@ -23,9 +23,7 @@ export const deformStrategy: Strategy<DeformStep> = {
   },
 
   run(request, evaluating) {
-    return request.step.handles.length === 0
-      ? untouched(request, evaluating)
-      : deformed(request, evaluating);
+    return request.step.handles.length === 0 ? untouched(request, evaluating) : deformed(request, evaluating);
   },
 };
 

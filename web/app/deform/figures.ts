@@ -4,7 +4,8 @@ import { toIndices } from '../../core/vertex-set';
 import type { Measured, OpenedModel } from '../../kernel/contract';
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
 import { pointAt, transform } from '../../tools/geometry';
-import type { Evaluation, WingParts } from '../wing';
+import type { Evaluation } from '../evaluated';
+import type { WingParts } from '../wing-parts';
 import type { DeformState, WhatItDid } from './state';
 
 /** A handle counts as met when none of its vertices is further off than this part of the model's extent. */

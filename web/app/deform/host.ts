@@ -9,7 +9,7 @@ import type { MarkersPort } from '../../view/overlays/types';
 import type { ViewportPort } from '../../view/types';
 import { t } from '../i18n';
 import { brushOf, SurfaceAids } from '../surface-aids';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 
 export class AppDeformHost implements DeformHost {
   /** The stroke under way. */

@@ -5,7 +5,8 @@ import { type Recipe, stepRow } from '../../recipe/recipe';
 import { mainInput } from '../../recipe/references';
 import { newDeformStep } from '../../recipe/steps/deform';
 import { t } from '../i18n';
-import type { BareModel, WingParts } from '../wing';
+import type { BareModel } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { lastOf } from '../workspaces';
 
 /** A new recipe on a model: one step, nothing held yet. */

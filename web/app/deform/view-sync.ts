@@ -11,17 +11,15 @@ import { PointTool } from '../../tools/deform/point-tool';
 import { SelectTool } from '../../tools/deform/select-tool';
 import { MARKERS } from '../../view/overlays/markers';
 import type { RegionPaint, ViewportPort } from '../../view/types';
-import type { Evaluation, Mounted, WingParts } from '../wing';
+import type { Evaluation } from '../evaluated';
+import type { Mounted } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { AppDeformHost } from './host';
 import type { DeformState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator'>;
 
-export function mountDeform(
-  viewport: ViewportPort,
-  parts: Parts,
-  own: DeformState,
-): Mounted {
+export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformState): Mounted {
   const { state, evaluator } = parts;
   const markers = viewport.mount(MARKERS);
   const host = new AppDeformHost(viewport, markers.port, parts);

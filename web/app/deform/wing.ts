@@ -2,7 +2,8 @@
 
 import { toIndices } from '../../core/vertex-set';
 import words from '../locales/en/deform.json';
-import type { Wing, WingParts } from '../wing';
+import type { Wing } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { DeformActions } from './actions';
 import { deformCommands, TOOLS } from './commands';
 import { deformStrategy } from './evaluation';

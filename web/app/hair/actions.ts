@@ -9,7 +9,7 @@ import { type Primitive, type PrimitivePatch, primitiveAt, primitivesOf } from '
 import { viewpointOf } from '../../tools/stroke/support';
 import { t } from '../i18n';
 import { LiveEdit } from '../live-edit';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { HairPatch, HairService } from './api';
 import { headHeight } from './head-height';
 import { fitted } from './refit';

@@ -2,7 +2,7 @@ import { primitivesOf } from '../../tools/hair/style';
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
 import type { MessageKey } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { HairService } from './api';
 import type { HairShow, HairState } from './state';
 

@@ -2,8 +2,8 @@
 
 import type { HairStep } from '../../recipe/recipe';
 import { scalpOf } from '../../run/steps/hair/scalp';
+import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
 import { atRest, sameBefore, untouched } from '../strategy';
-import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../wing';
 
 type HairRequest = Request<HairStep>;
 

@@ -4,7 +4,7 @@ import { effect } from '@preact/signals';
 import { Latest } from '../../core/latest';
 import type { Recipe } from '../../recipe/recipe';
 import type { Answer } from '../../run/steps/all';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { HairState } from './state';
 import type { HairLayers } from './view-sync';
 

@@ -1,5 +1,5 @@
 import type { ReportOf } from '../../run/results';
-import type { Evaluation } from '../wing';
+import type { Evaluation } from '../evaluated';
 import type { HairFigures } from './state';
 
 /** What the last hair took, as the status bar shows it. */

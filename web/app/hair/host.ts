@@ -10,11 +10,11 @@ import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '.
 import { REACH } from '../../tools/hair/measures';
 import type { ScalpHost, ScalpScene } from '../../tools/hair/scalp-tool';
 import { mainPart, pointsOf, primitiveAt } from '../../tools/hair/style';
-import { SupportSurface, viewpointOf } from '../../tools/stroke/support';
 import type { PaintVerb } from '../../tools/paint-tool';
+import { SupportSurface, viewpointOf } from '../../tools/stroke/support';
 import { t } from '../i18n';
 import { brushOf, SurfaceAids } from '../surface-aids';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { headHeight } from './head-height';
 import type { HairState, ShownStroke } from './state';
 

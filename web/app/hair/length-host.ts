@@ -7,7 +7,7 @@ import type { Brush } from '../../tools/brush-stroke';
 import { type LengthHost, type LengthScene, lengthMapOf } from '../../tools/hair/length-tool';
 import type { PaintVerb } from '../../tools/paint-tool';
 import { t } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { AppHairHost } from './host';
 import type { HairState } from './state';
 

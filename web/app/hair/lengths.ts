@@ -1,8 +1,8 @@
 // Painted lengths as colours on the head, while they are painted.
 
 import { lengthFactors } from '../../run/steps/hair';
+import type { Evaluation } from '../evaluated';
 import type { State } from '../state';
-import type { Evaluation } from '../wing';
 import type { HairState } from './state';
 
 /** Factors at the two ends of the colours; what is not painted has the colour in the middle. */

@@ -10,10 +10,12 @@ import { triangulate } from '../../io/triangulate';
 import { scalpOf } from '../../run/steps/hair/scalp';
 import { HAIR } from '../../view/hair/hair-layer';
 import type { ViewModel, ViewportPort } from '../../view/types';
+import type { Evaluation } from '../evaluated';
 import { t } from '../i18n';
 import { viewModel } from '../shown-model';
 import type { Viewing } from '../state';
-import type { Evaluation, LooseFile, WingParts } from '../wing';
+import type { LooseFile } from '../wing';
+import type { WingParts } from '../wing-parts';
 
 /** Strands on screen in place of the document. */
 export interface ViewedStrands extends Viewing {

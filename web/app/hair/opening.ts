@@ -2,8 +2,8 @@
 
 import { effect } from '@preact/signals';
 import type { ViewportPort } from '../../view/types';
+import type { EvaluatorPort } from '../evaluated';
 import type { State } from '../state';
-import type { EvaluatorPort } from '../wing';
 import { TOOLS } from './commands';
 import type { HairState } from './state';
 

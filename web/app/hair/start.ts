@@ -5,7 +5,7 @@ import type { Recipe } from '../../recipe/recipe';
 import { newHairStep } from '../../recipe/steps/hair';
 import { primitivesOf } from '../../tools/hair/style';
 import { t } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { scalpOf } from './steps';
 
 /** The head that hair starts on where the open model has no scalp. */
@@ -49,7 +49,11 @@ export async function startHair(parts: Parts): Promise<void> {
  * A hair step on a model whose scalp is to be painted.
  * @param offered  a hair step that this one takes the place of, unless something is drawn in it
  */
-export function growOn({ document, state }: Pick<Parts, 'document' | 'state'>, from: string, offered: string): void {
+export function growOn(
+  { document, state }: Pick<Parts, 'document' | 'state'>,
+  from: string,
+  offered: string,
+): void {
   const step = edit.stepOf(document.recipe, offered, 'hair');
   const unused = step && primitivesOf(step).length === 0;
   const recipe = unused ? edit.pruneModels(edit.removeStep(document.recipe, step.id)) : document.recipe;

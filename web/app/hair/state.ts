@@ -48,6 +48,8 @@ export class HairState {
     constraints: false,
     volume: false,
   });
+  /** The first so many of the strands (0 to 1) are drawn; `null`: as many as the machine allows. */
+  readonly share = signal<number | null>(null);
   readonly shading = signal<HairOptions['shading']>('natural');
   /** The factor of the length that the brush paints. */
   readonly lengthBrush = signal(0.5);

@@ -17,7 +17,8 @@ import { CURVES } from '../../view/overlays/curves';
 import { FIELD } from '../../view/overlays/field';
 import { SUPPORT } from '../../view/overlays/support';
 import type { ViewportPort } from '../../view/types';
-import type { Mounted, WingParts } from '../wing';
+import type { Mounted } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { syncField } from './field-sync';
 import { AppHairHost } from './host';
 import { AppLengthHost } from './length-host';
@@ -27,12 +28,7 @@ import type { HairState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'runner' | 'messages'>;
 
-export function mountHair(
-  viewport: ViewportPort,
-  parts: Parts,
-  own: HairState,
-  sight: FirstSight,
-): Mounted {
+export function mountHair(viewport: ViewportPort, parts: Parts, own: HairState, sight: FirstSight): Mounted {
   const { state, evaluator } = parts;
   const layers = layersIn(viewport);
   const { hair, curves, support } = layers.ports;
@@ -51,7 +47,8 @@ export function mountHair(
     // Colours on the scalp are of no use under a full head of hair.
     effect(() => {
       const strands = state.tool.value === 'paint-length' ? evaluator.result.value?.strands : null;
-      hair.setStrandShare(strands ? Math.min(1, SPARSE / Math.max(1, strandCount(strands))) : null);
+      const share = strands ? Math.min(1, SPARSE / Math.max(1, strandCount(strands))) : own.share.value;
+      hair.setStrandShare(share);
     }),
     frameHair({ viewport, state, evaluator }, sight),
     effect(() => {
@@ -61,7 +58,10 @@ export function mountHair(
       const step = own.step.value;
       const stroke = own.stroke.value;
       const shown = step && own.show.value.curves ? curvesOf(step, state.selection.value.item) : [];
-      const drawn = stroke && stroke.line.length > 1 ? [{ id: 'stroke', points: stroke.line, ...CURVE_LOOKS[stroke.kind], selected: false }] : [];
+      const drawn =
+        stroke && stroke.line.length > 1
+          ? [{ id: 'stroke', points: stroke.line, ...CURVE_LOOKS[stroke.kind], selected: false }]
+          : [];
       curves.setCurves([...shown, ...drawn]);
     }),
     effect(() => {

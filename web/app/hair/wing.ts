@@ -1,7 +1,8 @@
 // The hair wing: strands that grow along what is drawn on a head.
 
 import words from '../locales/en/hair.json';
-import type { Wing, WingParts } from '../wing';
+import type { Wing } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { HairActions } from './actions';
 import { hairCommands, TOOLS } from './commands';
 import { hairStrategy } from './evaluation';

@@ -1,4 +1,4 @@
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { Aids } from './aids';
 import { MergeEdits } from './edits';
 import { Joins } from './joins';

@@ -1,6 +1,6 @@
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { MergeActions } from './actions';
 import type { MergeState } from './state';
 

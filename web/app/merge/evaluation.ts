@@ -4,9 +4,9 @@ import { isCancelled, LissomError } from '../../core/errors';
 import { replaceStep } from '../../recipe/edit';
 import type { MergeStep } from '../../recipe/recipe';
 import type { ReportOf } from '../../run/results';
+import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
 import { tCode } from '../i18n';
 import { atRest, computed, sameBefore } from '../strategy';
-import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../wing';
 import type { MergeFigures, MergeState } from './state';
 import { isReady, sameCut } from './steps';
 

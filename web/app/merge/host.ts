@@ -10,7 +10,7 @@ import type { PaintVerb } from '../../tools/paint-tool';
 import type { Hit, ViewportPort } from '../../view/types';
 import { t } from '../i18n';
 import { brushOf } from '../surface-aids';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { MergeActions } from './actions';
 import type { MergeState } from './state';
 import { markOf } from './steps';

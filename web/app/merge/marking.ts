@@ -6,20 +6,12 @@ import type { MergeStep } from '../../recipe/recipe';
 import type { Mark } from '../../tools/merge/host';
 import type { MergeSide } from '../../tools/merge/pins';
 import { t } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { Aids } from './aids';
 import type { MergeEdits } from './edits';
 import { type Meeting, meetingOf } from './meeting';
 import type { MergeState } from './state';
-import {
-  isReady,
-  MARKS,
-  markOf,
-  type OptimalBoundary,
-  sideOfMark,
-  withBoundaries,
-  withMark,
-} from './steps';
+import { isReady, MARKS, markOf, type OptimalBoundary, sideOfMark, withBoundaries, withMark } from './steps';
 
 export class Marking {
   constructor(
@@ -35,7 +27,10 @@ export class Marking {
     if (!step || count === 0) return;
     // Rough marks come in several strokes: they are merged when the button says so.
     if (step.boundaries.length > 0 || !isReady(step)) this.own.hold(step.id);
-    this.edits.commit(label, withMark(step, mark, fromIndices(vertices, count) as OptimalBoundary['feature']));
+    this.edits.commit(
+      label,
+      withMark(step, mark, fromIndices(vertices, count) as OptimalBoundary['feature']),
+    );
   }
 
   clearMark(mark: Mark): void {

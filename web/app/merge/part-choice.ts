@@ -4,7 +4,7 @@ import * as edit from '../../recipe/edit';
 import type { ModelRef } from '../../recipe/recipe';
 import { newMergeStep } from '../../recipe/steps/merge';
 import { t } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { MergeState } from './state';
 import { withMark } from './steps';
 

@@ -4,7 +4,7 @@ import { LissomError } from '../../core/errors';
 import { replaceStep } from '../../recipe/edit';
 import type { Answer } from '../../run/steps/all';
 import { t } from '../i18n';
-import type { WingParts } from '../wing';
+import type { WingParts } from '../wing-parts';
 import type { MergeEdits } from './edits';
 import { isReady, type OptimalBoundary } from './steps';
 

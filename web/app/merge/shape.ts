@@ -38,7 +38,8 @@ export class MergeShape {
   /** How far from the seam a part merged in place gives way, as a part of the loops' length. */
   setReach(share: number, live = false): void {
     const { step } = this.edits;
-    if (step) this.edits.set(t('history.merge.reach'), { ...step, roi: this.#strip(step, share) }, live, 'reach');
+    if (step)
+      this.edits.set(t('history.merge.reach'), { ...step, roi: this.#strip(step, share) }, live, 'reach');
   }
 
   reach(): number {

@@ -7,8 +7,8 @@ import type { ModelResult } from '../../run/types';
 import type { Mark } from '../../tools/merge/host';
 import type { Loop } from '../../tools/merge/loops';
 import type { Key, MergeSide } from '../../tools/merge/pins';
+import type { EvaluatorPort } from '../evaluated';
 import type { State } from '../state';
-import type { EvaluatorPort } from '../wing';
 
 /** A loop of one of the two models. */
 export interface SideLoop {

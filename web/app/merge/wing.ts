@@ -1,9 +1,11 @@
 // The merge wing: one model's part put onto another.
 
 import { LissomError } from '../../core/errors';
+import type { Evaluation } from '../evaluated';
 import { t } from '../i18n';
 import words from '../locales/en/merge.json';
-import type { Evaluation, Wing, WingParts } from '../wing';
+import type { Wing } from '../wing';
+import type { WingParts } from '../wing-parts';
 import { MergeActions } from './actions';
 import { mergeCommands, TOOLS } from './commands';
 import { mergeStrategy, publishMerge } from './evaluation';

@@ -6,9 +6,5 @@ export const milliseconds = (ms: number): string =>
 
 /** Figures of the status bar, one after the other; what is false is left out. */
 export function FigureList({ parts }: { parts: readonly (string | false)[] }) {
-  return (
-    <>
-      {parts.map((part) => part && <span key={part}>{part}</span>)}
-    </>
-  );
+  return <>{parts.map((part) => part && <span key={part}>{part}</span>)}</>;
 }

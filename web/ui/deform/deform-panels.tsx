@@ -1,11 +1,11 @@
 import { CommandButton } from '../controls/command-button';
+import { ModelPanel } from '../shell/model-panel';
+import { StepsPanel } from '../shell/steps-panel';
 import { EffectPanel } from './effect-panel';
 import { HandlesPanel } from './handles-panel';
 import { MethodPanel } from './method-panel';
-import { ModelPanel } from '../shell/model-panel';
 import { PosePanel } from './pose-panel';
 import { RegionPanel } from './region-panel';
-import { StepsPanel } from '../shell/steps-panel';
 
 /** The side panel of the deform workspace. */
 export function DeformPanels() {

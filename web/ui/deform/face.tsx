@@ -8,7 +8,5 @@ export const face: Face = {
   Legend: HeatLegend,
   viewCommands: ['view.heat'],
   extras: (tool) =>
-    tool.startsWith('paint-')
-      ? ['brush.mirror', ...BRUSH]
-      : ['gizmo.move', 'gizmo.rotate', 'gizmo.scale'],
+    tool.startsWith('paint-') ? ['brush.mirror', ...BRUSH] : ['gizmo.move', 'gizmo.rotate', 'gizmo.scale'],
 };

@@ -2,7 +2,6 @@ import { roundTo } from '../../core/decimal';
 import { placesFor } from '../../tools/stroke/polyline';
 import { useHair } from './use-hair';
 
-
 /** Lengths as people set them, in parts of the head's height, and as recipes hold them, in model units. */
 export function usePercent() {
   const { actions: hair } = useHair();

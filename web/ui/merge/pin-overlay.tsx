@@ -7,7 +7,6 @@ import type { ViewportPort } from '../../view/types';
 import { useApp } from '../context';
 import { useMerge } from './use-merge';
 
-
 const RADIUS = 10;
 
 interface Place {

@@ -10,7 +10,8 @@ export function StatusBar() {
   const figures = state.figures.value;
   const busy = state.busy.value;
   const Own = useFace()?.Figures;
-  const fps = state.previewing.value && figures.fps >= 2 && t('ui.figure.fps', { count: Math.round(figures.fps) });
+  const fps =
+    state.previewing.value && figures.fps >= 2 && t('ui.figure.fps', { count: Math.round(figures.fps) });
   return (
     <footer class="status-bar">
       <span class="status-text" role="status">

@@ -1,5 +1,5 @@
 import { DensityGrid } from './density';
-import type { Head } from './hair-view';
+import type { Head } from './head';
 import { SOFT_LIGHTS } from './lights';
 import type { EvenStrands } from './resample';
 
