@@ -33,7 +33,7 @@ export function PinOverlay() {
   }, [from, to]);
   const { source, target } = own.sides.value;
   const selected = state.selection.value.item;
-  const own = own.step.value?.boundaries ?? [];
+  const boundaries = own.step.value?.boundaries ?? [];
   const half = (frame.current?.clientWidth ?? 0) / 2;
   const height = frame.current?.clientHeight ?? 0;
   const placed =
@@ -66,7 +66,7 @@ export function PinOverlay() {
           ends.map(({ x, y, hidden }, side) => (
             <g
               key={`${pin.number} ${side}`}
-              class={`pin-mark${pin.number === selected ? ' selected' : ''}${hidden ? ' hidden' : ''}${own[pin.boundary]?.keys.length ? '' : ' found'}`}
+              class={`pin-mark${pin.number === selected ? ' selected' : ''}${hidden ? ' hidden' : ''}${boundaries[pin.boundary]?.keys.length ? '' : ' found'}`}
               transform={`translate(${x} ${y})`}
             >
               <circle r={RADIUS} />
