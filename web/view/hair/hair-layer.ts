@@ -5,7 +5,8 @@ import type { ModelView } from '../model-view';
 import { drawsInSoftware } from '../software';
 import type { SurfaceShade } from '../surface-shade';
 import { ViewSpace } from '../view-space';
-import { HairView, type Head } from './hair-view';
+import type { Head } from './baked-light';
+import { HairView } from './hair-view';
 import { firstShare, nextShare, restShare } from './lod';
 import type { HairOptions, HairPort } from './types';
 

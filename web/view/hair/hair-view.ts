@@ -25,7 +25,7 @@ import {
 } from 'three';
 import type { Strands } from '../../core/strands';
 import type { ViewSpace } from '../view-space';
-import { bakeLight } from './baked-light';
+import { bakeLight, type Head } from './baked-light';
 import { KEY_LIGHT } from './lights';
 import { type Prefix, prefixOf } from './lod';
 import { OpacityMap } from './opacity-map';
@@ -36,13 +36,6 @@ import { SHADE_FRAGMENT, SHADE_VERTEX } from './shade-glsl';
 import { StrandLight } from './strand-light';
 import { hairShade } from './surface-shade';
 import type { HairOptions } from './types';
-
-/** The head the hair grows on, drawn units. */
-export interface Head {
-  readonly geometry: BufferGeometry;
-  readonly places: Float32Array;
-  readonly triangles: Uint32Array;
-}
 
 /** Strands whose light is not in the grid yet. */
 interface Unbaked {
