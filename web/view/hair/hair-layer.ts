@@ -5,8 +5,8 @@ import type { ModelView } from '../model-view';
 import { drawsInSoftware } from '../software';
 import type { SurfaceShade } from '../surface-shade';
 import { ViewSpace } from '../view-space';
+import type { Head } from './baked-light';
 import { HairView } from './hair-view';
-import type { Head } from './head';
 import { firstShare, nextShare, restShare } from './lod';
 import type { HairOptions, HairPort } from './types';
 

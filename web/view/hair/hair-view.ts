@@ -25,8 +25,7 @@ import {
 } from 'three';
 import type { Strands } from '../../core/strands';
 import type { ViewSpace } from '../view-space';
-import { bakeLight } from './baked-light';
-import type { Head } from './head';
+import { bakeLight, type Head } from './baked-light';
 import { KEY_LIGHT } from './lights';
 import { type Prefix, prefixOf } from './lod';
 import { OpacityMap } from './opacity-map';
