@@ -9,7 +9,7 @@ import type { HairWing } from '../../web/app/hair/wing';
 import type { MergeActions } from '../../web/app/merge/actions';
 import type { MergeWing } from '../../web/app/merge/wing';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
-import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { Args, KernelId, KernelPort, Method, Result } from '../../web/kernel/contract';
 import type { WorkspaceId } from '../../web/recipe/recipe';
 import type { LayerKind } from '../../web/view/layer';
 import type { ViewportPort } from '../../web/view/types';
@@ -60,7 +60,7 @@ export class FakeKernel implements KernelPort {
 
   readonly #answers: { readonly [M in Method]?: (args: Args<M>) => Result<M> } = {
     openModel: ({ positions, faceVertices }) => ({
-      model: this.#models.push(positions) as ModelId,
+      id: this.#models.push(positions) as KernelId,
       triangles: faceVertices,
       faceOfTriangle: Uint32Array.from({ length: faceVertices.length / 3 }, (_, i) => i),
       welded: Int32Array.from({ length: positions.length / 3 }, (_, i) => i),
@@ -74,9 +74,9 @@ export class FakeKernel implements KernelPort {
     prepareDeform: ({ model, roi, handles }) => {
       const held = new Set(handles.slice(1).flatMap(({ vertices }) => [...vertices]));
       const moved = new Set([...roi, ...handles[0]!.vertices].filter((v) => !held.has(v)));
-      const deform = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as DeformId;
+      const id = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as KernelId;
       return {
-        deform,
+        id,
         free: roi.length,
         degenerate: 0,
         warnings: [],
@@ -103,7 +103,7 @@ export class FakeKernel implements KernelPort {
       stretch: new Float32Array(positions.length / 3),
     }),
     openHair: () => ({
-      hair: 1 as HairId,
+      id: 1 as KernelId,
       grid: [4, 4, 4],
       low: [-1, -1, -1],
       high: [2, 2, 2],

@@ -42,7 +42,9 @@ export class Evaluator implements EvaluatorPort {
     const { state, failed } = parts;
     this.#runs = new Latest({
       work: (request, aborted) => this.#evaluate(request, aborted),
-      deliver: (evaluation) => void (this.#result.value = evaluation),
+      deliver: (evaluation) => {
+        this.#result.value = evaluation;
+      },
       fail: (error) => {
         this.#last = null;
         if (!isCancelled(error)) failed(error);

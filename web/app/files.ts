@@ -110,7 +110,7 @@ export class Files implements FileService {
   exportModel(format: ExportFormat): Promise<void> {
     const kind = { extension: `.${format}`, description: t(`export.${format}`), mimeType: MIME[format] };
     return this.#write(kind, (shown) => {
-      const model = withPositions(shown.input.model, shown.positions);
+      const model = withPositions(shown.shown.model, shown.positions);
       const bytes = writeModel(model, format);
       return { bytes, said: (name) => exported(name, model, bytes) };
     });

@@ -6,7 +6,7 @@ import { computed, type ReadonlySignal, type Signal, signal } from '@preact/sign
 import type { Finding } from '../core/errors';
 import type { Model } from '../core/model';
 import { stepById } from '../recipe/edit';
-import { type ModelRef, type Recipe, type Step, stepRow, type WorkspaceId } from '../recipe/recipe';
+import { type ModelRef, type Recipe, type Step, type WorkspaceId, workspaceOf } from '../recipe/recipe';
 import type { DisplayOptions, ViewportPort } from '../view/types';
 import type { MessageKey } from './i18n';
 
@@ -143,7 +143,7 @@ export class State {
   });
   /** That of the open step, or of the one being started. */
   readonly workspace: ReadonlySignal<WorkspaceId> = computed(
-    () => this.choosing.value?.workspace ?? stepRow(this.step.value?.type)?.workspace ?? this.home,
+    () => this.choosing.value?.workspace ?? workspaceOf(this.step.value) ?? this.home,
   );
   readonly viewing = signal<Viewing | null>(null);
   /** One of the open workspace's; `''` before there is any. */

@@ -2,7 +2,7 @@
 
 import { computed, effect, type ReadonlySignal, signal, untracked } from '@preact/signals';
 import type { Finding } from '../core/errors';
-import { type Recipe, type Step, stepRow, type WorkspaceId } from '../recipe/recipe';
+import { type Recipe, type Step, type WorkspaceId, workspaceOf } from '../recipe/recipe';
 import type { WingService } from './api';
 import type { Evaluation, Strategy } from './evaluated';
 import { addWords } from './i18n';
@@ -52,19 +52,19 @@ export class WingRoom implements WingService {
   /** That of a step, before it is laid open: then it is on screen at once. */
   async loadFor({ steps }: Recipe, open: string): Promise<void> {
     const step = steps.find(({ id }) => id === open);
-    await this.load(stepRow(step?.type)?.workspace ?? this.parts.state.home);
+    await this.load(workspaceOf(step) ?? this.parts.state.home);
   }
 
   /** Reads signals. @returns `null` until the wing is loaded */
   strategyOf(step: Step): Strategy | null {
-    const id = stepRow(step.type).workspace;
+    const id = workspaceOf(step);
     if (id === null) return PLAIN;
     return this.get(id)?.strategy ?? null;
   }
 
   /** Lets each wing follow what is its own. @returns the findings that are news */
   publish(shown: Evaluation | null): readonly Finding[] {
-    const own = shown && stepRow(shown.step.type).workspace;
+    const own = shown && workspaceOf(shown.step);
     for (const [id, wing] of this.#loaded.peek()) wing.publish?.(id === own ? shown : null);
     if (!shown) return [];
     const wing = own === null ? undefined : this.#loaded.peek().get(own);

@@ -1,7 +1,7 @@
 // What the edit did to the model, measured once it has settled.
 
 import { toIndices } from '../../core/vertex-set';
-import type { Measured, OpenedModel } from '../../kernel/contract';
+import type { Measured, OpenedModel } from '../../kernel/contract/model';
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
 import { pointAt, transform } from '../../tools/geometry';
 import type { Evaluation } from '../evaluated';

@@ -3,10 +3,10 @@
 import * as edit from '../../recipe/edit';
 import type { Recipe } from '../../recipe/recipe';
 import { newHairStep } from '../../recipe/steps/hair';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import { primitivesOf } from '../../tools/hair/style';
 import { t } from '../i18n';
 import type { WingParts } from '../wing-parts';
-import { scalpOf } from './steps';
 
 /** The head that hair starts on where the open model has no scalp. */
 const HEAD = 'head-female';

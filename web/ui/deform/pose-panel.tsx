@@ -1,4 +1,3 @@
-import { t } from '../../app/i18n';
 import { useApp } from '../context';
 
 import { PoseFields } from '../controls/pose-fields';

@@ -15,7 +15,7 @@ export function GrowthPanel() {
   const step = own.step.value;
   if (!step) return null;
   const finish = () => hair.finish();
-  const { strands, length: own, volume, grid } = step;
+  const { strands, length: lengths, volume, grid } = step;
   return (
     <Section title={t('ui.hair.growth')} aside={<CommandButton command="hair.new-seed" iconOnly />}>
       <div class="field">
@@ -33,7 +33,7 @@ export function GrowthPanel() {
       </div>
       <SliderField
         label={t('ui.hair.length')}
-        value={percent(own.max, 100)}
+        value={percent(lengths.max, 100)}
         min={3}
         max={300}
         step={1}
@@ -43,7 +43,7 @@ export function GrowthPanel() {
       />
       <div class="buttons">
         <CommandButton command="tool.paint-length" kind="solid" />
-        {own.map.length > 0 && <CommandButton command="hair.clear-lengths" kind="solid" />}
+        {lengths.map.length > 0 && <CommandButton command="hair.clear-lengths" kind="solid" />}
       </div>
       {state.tool.value === 'paint-length' && (
         <SliderField
@@ -60,7 +60,7 @@ export function GrowthPanel() {
       )}
       <SliderField
         label={t('ui.hair.variation')}
-        value={own.variation}
+        value={lengths.variation}
         min={0}
         max={1}
         digits={2}

@@ -12,7 +12,7 @@ export function MarksPanel() {
   const { state: own } = useMerge();
   const step = own.step.value;
   if (!step) return null;
-  const waits = own.held.value === step.id || !own.figures.value;
+  const waits = own.isHeld(step) || !own.figures.value;
   return (
     <Section title={t('ui.merge.marks')} aside={<CommandButton command="tool.mark-region" iconOnly />}>
       {step.boundaries.length > 0 ? (

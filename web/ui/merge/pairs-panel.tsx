@@ -47,7 +47,6 @@ export function PairsPanel() {
 
 function Pins({ pins, found }: { pins: readonly Pin[]; found: boolean }) {
   const { state, document } = useApp();
-  const { state: own } = useMerge();
   const selected = state.selection.value.item;
   return (
     <div class="pins">
