@@ -68,6 +68,7 @@ test('two tabs never write over each other', async () => {
   // Opened as a copy of the first, with the same session storage: it gets a restore point of its own.
   const [point] = await second.app.autosave.restorePoints();
   await second.app.autosave.restore(point!.id);
+  await second.app.evaluator.settled();
   second.deform.setPose(0, { translation: [9, 0, 0] });
   await second.app.autosave.flush();
   expect(browser.store.kept.size).toBe(2);

@@ -21,7 +21,7 @@ async function looking() {
         shown.model = model;
       },
     },
-    { hair: { setHair } },
+    { hair: { setHair, unmounted: () => setHair(null) } as HairPort & { unmounted(): void } },
   );
   const tab = new Tab(new Browser(), new MemoryStorage(), viewport);
   await tab.openCube();

@@ -295,13 +295,13 @@ export class Tab {
 const STANDING: ViewportPort['camera'] = { position: [0, 0, 5], target: [0, 0, 0], orthographic: false };
 
 /** What answers in the place of layers, by the id of their kind. */
-export type LayerDoubles = Readonly<Record<string, object>>;
+export type LayerDoubles = Readonly<Record<string, { readonly unmounted?: () => void }>>;
 
 /** A viewport that shows nothing, finds nothing and takes every call; its layers likewise. */
 export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles = {}): ViewportPort => {
   const mount: ViewportPort['mount'] = <P>({ id }: LayerKind<P>) => ({
     port: blind(layers[id] ?? {}) as P,
-    unmount: () => {},
+    unmount: () => layers[id]?.unmounted?.(),
   });
   return blind({ camera: STANDING, mount, ...parts }) as ViewportPort;
 };

@@ -5,8 +5,8 @@ import { Latest } from '../../core/latest';
 import type { Recipe } from '../../recipe/recipe';
 import type { Answer } from '../../run/steps/all';
 import type { WingParts } from '../wing-parts';
+import type { HairLayers } from './layers';
 import type { HairState } from './state';
-import type { HairLayers } from './view-sync';
 
 /** Every how-manieth node of the field has an arrow. */
 const STRIDE = 3;

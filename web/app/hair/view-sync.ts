@@ -11,16 +11,12 @@ import { paintScalp } from '../../tools/hair/scalp-tool';
 import { HairSelectTool, HintTool } from '../../tools/hair/select-tool';
 import { StreamTool } from '../../tools/hair/stream-tool';
 import { CURVE_LOOKS, curvesOf } from '../../tools/hair/style';
-import { HAIR } from '../../view/hair/hair-layer';
-import { BOX } from '../../view/overlays/box';
-import { CURVES } from '../../view/overlays/curves';
-import { FIELD } from '../../view/overlays/field';
-import { SUPPORT } from '../../view/overlays/support';
 import type { ViewportPort } from '../../view/types';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import { syncField } from './field-sync';
 import { AppHairHost } from './host';
+import { layersIn } from './layers';
 import { AppLengthHost } from './length-host';
 import { LENGTHS, SPARSE, shownLengths } from './lengths';
 import { type FirstSight, frameHair } from './opening';
@@ -104,31 +100,6 @@ export function mountHair(viewport: ViewportPort, parts: Parts, own: HairState, 
       viewport.setHeat(null);
       // What a file shows meanwhile is framed for itself.
       if (state.viewing.peek()) sight.surface = null;
-    },
-  };
-}
-
-export type HairLayers = ReturnType<typeof layersIn>['ports'];
-
-function layersIn(viewport: ViewportPort) {
-  const mounted = {
-    hair: viewport.mount(HAIR),
-    curves: viewport.mount(CURVES),
-    field: viewport.mount(FIELD),
-    box: viewport.mount(BOX),
-    support: viewport.mount(SUPPORT),
-  };
-  const { hair, curves, field, box, support } = mounted;
-  return {
-    ports: {
-      hair: hair.port,
-      curves: curves.port,
-      field: field.port,
-      box: box.port,
-      support: support.port,
-    },
-    unmount: () => {
-      for (const layer of Object.values(mounted)) layer.unmount();
     },
   };
 }
