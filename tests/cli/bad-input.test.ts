@@ -3,11 +3,12 @@
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { IDENTITY } from '../../web/core/affine';
 import type { Finding } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
 import { writeModel } from '../../web/io/formats';
 import { ball, diagonal, gap, modelOf, sheet, together } from './shapes';
-import { deformRecipe, hasKernel, IDENTITY, move, region, Shell } from './shell';
+import { deformRecipe, hasKernel, move, region, Shell } from './shell';
 
 const range = (first: number, last: number) => ({ ranges: [[first, last]] });
 

@@ -5,6 +5,9 @@ export type VertexSet =
   | readonly number[]
   | { readonly ranges: readonly (readonly [number, number])[] };
 
+/** A set of its own, as a recipe takes it. */
+export type OwnVertexSet = 'all' | number[] | { ranges: [number, number][] };
+
 /** The indices of a set over `count` vertices, ascending and without repeats. Does not check the range. */
 export function toIndices(set: VertexSet, count: number): Uint32Array {
   if (set === 'all') return Uint32Array.from({ length: count }, (_, i) => i);
@@ -17,7 +20,7 @@ export function toIndices(set: VertexSet, count: number): Uint32Array {
 }
 
 /** The shortest recipe form of a set of indices (any order, repeats allowed) over `count` vertices. */
-export function fromIndices(indices: Iterable<number>, count: number): VertexSet {
+export function fromIndices(indices: Iterable<number>, count: number): OwnVertexSet {
   const sorted = unique([...indices]);
   if (sorted.length === count && count > 0) return 'all';
   const ranges: [number, number][] = [];

@@ -1,4 +1,5 @@
-import { type Affine, compose, IDENTITY, multiply } from './affine';
+import { type Affine, IDENTITY } from '../core/affine';
+import { compose, multiply } from './affine';
 import { readAccessor } from './gltf-accessors';
 import { entry, type GltfDocument } from './gltf-document';
 import type { GltfNode } from './gltf-schema';
