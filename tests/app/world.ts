@@ -3,7 +3,7 @@
 import { type BuiltApp, buildApp, type World } from '../../web/app/app';
 import type { SaveOptions } from '../../web/app/file-dialogs';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
-import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { Args, KernelId, KernelPort, Method, Result } from '../../web/kernel/contract';
 import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
@@ -52,7 +52,7 @@ export class FakeKernel implements KernelPort {
 
   readonly #answers: { readonly [M in Method]?: (args: Args<M>) => Result<M> } = {
     openModel: ({ positions, faceVertices }) => ({
-      model: this.#models.push(positions) as ModelId,
+      id: this.#models.push(positions) as KernelId,
       triangles: faceVertices,
       faceOfTriangle: Uint32Array.from({ length: faceVertices.length / 3 }, (_, i) => i),
       welded: Int32Array.from({ length: positions.length / 3 }, (_, i) => i),
@@ -66,9 +66,9 @@ export class FakeKernel implements KernelPort {
     prepareDeform: ({ model, roi, handles }) => {
       const held = new Set(handles.slice(1).flatMap(({ vertices }) => [...vertices]));
       const moved = new Set([...roi, ...handles[0]!.vertices].filter((v) => !held.has(v)));
-      const deform = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as DeformId;
+      const id = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as KernelId;
       return {
-        deform,
+        id,
         free: roi.length,
         degenerate: 0,
         warnings: [],
@@ -95,7 +95,7 @@ export class FakeKernel implements KernelPort {
       stretch: new Float32Array(positions.length / 3),
     }),
     openHair: () => ({
-      hair: 1 as HairId,
+      id: 1 as KernelId,
       grid: [4, 4, 4],
       low: [-1, -1, -1],
       high: [2, 2, 2],

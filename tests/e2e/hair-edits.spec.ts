@@ -1,3 +1,4 @@
+import type { ReportOf } from '../../web/run/results';
 import { Desk, expect, SIZE, test, withoutPickers } from './desk';
 import { along, hair, styleOf } from './hair-desk';
 
@@ -75,7 +76,7 @@ test('ten edits of a full head each bring other strands; how long they took is p
   }
   const of = (what: keyof Edit): number => median(edits.map((edit) => edit[what]));
   const constraints = await page.evaluate(
-    () => window.__lissom.app.evaluator.result.peek()!.report!.constraints,
+    () => (window.__lissom.app.evaluator.result.peek()!.report as ReportOf<'hair'>).constraints,
   );
   console.info(
     `20,000 strands, ${constraints} constraints, 48 nodes; medians of ${EDITS} edits: first strands on screen ` +

@@ -11,7 +11,7 @@ import { decodeLink, encodeLink } from '../../web/recipe/link/link';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { HairStep, Recipe } from '../../web/recipe/recipe';
 import { Runner } from '../../web/run/evaluate';
-import type { StepReport } from '../../web/run/types';
+import type { ReportOf, StepResult } from '../../web/run/results';
 import {
   depthInside,
   heightOf,
@@ -53,13 +53,13 @@ interface Grown {
   readonly step: HairStep;
   readonly model: Model;
   readonly strands: Strands;
-  readonly report: StepReport;
+  readonly report: ReportOf<'hair'>;
 }
 
 async function grow(recipe: Recipe): Promise<Grown> {
   const step = hairOf(recipe);
   const runner = new Runner({ kernel: await loadKernel(), models });
-  const { model, strands, report } = (await runner.run(recipe)).get(step.id)!;
+  const { model, strands, report } = (await runner.run(recipe)).get(step.id) as StepResult<'hair'>;
   return { step, model, strands: strands!, report };
 }
 

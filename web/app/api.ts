@@ -12,7 +12,7 @@
 import type { ReadonlySignal } from '@preact/signals';
 import type { VertexSet } from '../core/vertex-set';
 import type { StrandFormat } from '../io/strands/options';
-import type { RegionMaps } from '../kernel/contract';
+import type { RegionMaps } from '../kernel/contract/merge';
 import type { DeformHandle, DeformStep, HairStep, MergeStep, ModelRef } from '../recipe/recipe';
 import type { PrimitivePatch } from '../tools/hair/style';
 import type { Mark } from '../tools/merge/host';

@@ -4,6 +4,8 @@ import type { VertexSet } from '../core/vertex-set';
 import { toIndices } from '../core/vertex-set';
 import * as edit from '../recipe/edit';
 import type { DeformHandle, DeformStep, Recipe } from '../recipe/recipe';
+import { newDeformStep } from '../recipe/steps/deform';
+import * as deform from '../recipe/steps/deform-edits';
 import { atRest, toRest, withHandle } from '../tools/deform/edits';
 import {
   centroid,
@@ -28,18 +30,18 @@ export class DeformActions implements DeformService {
   ) {}
 
   setRoi(roi: VertexSet): void {
-    this.#edit(t('history.roi'), (recipe, { id }) => edit.setRoi(recipe, id, roi as DeformStep['roi']));
+    this.#edit(t('history.roi'), (recipe, { id }) => deform.setRoi(recipe, id, roi as DeformStep['roi']));
   }
 
   setMethod(method: DeformStep['method']): void {
-    this.#edit(t('history.method'), (recipe, { id }) => edit.setMethod(recipe, id, method));
+    this.#edit(t('history.method'), (recipe, { id }) => deform.setMethod(recipe, id, method));
   }
 
   setOptions(options: Partial<DeformStep['options']>): void {
     const merge = `options:${Object.keys(options).join()}`;
     this.#edit(
       t('history.options'),
-      (recipe, { id }) => edit.setDeformOptions(recipe, id, options),
+      (recipe, { id }) => deform.setDeformOptions(recipe, id, options),
       undefined,
       merge,
     );
@@ -58,18 +60,18 @@ export class DeformActions implements DeformService {
 
   rename(index: number, name: string): void {
     const label = t('history.rename-handle', { name: this.handleName(index) });
-    this.#update(label, index, { name: name.trim().slice(0, 64) || undefined } as edit.HandlePatch);
+    this.#update(label, index, { name: name.trim().slice(0, 64) || undefined } as deform.HandlePatch);
   }
 
   hide(index: number, hidden: boolean): void {
     const name = this.handleName(index);
     const label = hidden ? t('history.hide-handle', { name }) : t('history.show-handle', { name });
-    this.#update(label, index, { hidden: hidden || undefined } as edit.HandlePatch);
+    this.#update(label, index, { hidden: hidden || undefined } as deform.HandlePatch);
   }
 
   remove(index: number): void {
     const label = t('history.remove-handle', { name: this.handleName(index) });
-    this.#edit(label, (recipe, { id }) => edit.removeHandle(recipe, id, index), null);
+    this.#edit(label, (recipe, { id }) => deform.removeHandle(recipe, id, index), null);
   }
 
   reset(index: number): void {
@@ -121,7 +123,7 @@ export class DeformActions implements DeformService {
     const { recipe, step } = this.document;
     if (!step) return;
     const id = nextStepId(edit.takenNames(recipe));
-    const next = edit.newDeformStep(id, step.id);
+    const next = newDeformStep(id, step.id);
     const at = recipe.steps.indexOf(step) + 1;
     // What was built on the open step is built on the new one from now on.
     const later = edit.redirect({ ...recipe, steps: recipe.steps.slice(at) }, step.id, id).steps;
@@ -147,8 +149,8 @@ export class DeformActions implements DeformService {
 
   #poseLabel = (index: number): string => t('history.pose-handle', { name: this.handleName(index) });
 
-  #update(label: string, index: number, patch: edit.HandlePatch): void {
-    this.#edit(label, (recipe, { id }) => edit.updateHandle(recipe, id, index, patch));
+  #update(label: string, index: number, patch: deform.HandlePatch): void {
+    this.#edit(label, (recipe, { id }) => deform.updateHandle(recipe, id, index, patch));
   }
 
   #replace(label: string, index: number, handle: DeformHandle, merge?: string): void {

@@ -27,7 +27,7 @@ export class Desk {
   constructor(
     private readonly state: State,
     private readonly document: Document,
-    private readonly runner: Pick<Runner, 'input'>,
+    private readonly runner: Pick<Runner, 'inputs' | 'opened'>,
     private readonly autosave: Autosave,
     private readonly messages: MessageService,
   ) {}
@@ -35,8 +35,12 @@ export class Desk {
   /** @throws LissomError  whatever is wrong with it; then nothing has changed */
   async open({ recipe, title, imported, link, own = false }: Opening): Promise<void> {
     const selection = openingSelection(recipe);
-    const first = selection.step || Object.keys(recipe.models)[0];
-    const input = first === undefined ? null : await this.runner.input(recipe, first);
+    const model = Object.keys(recipe.models)[0];
+    const [input = null] = selection.step
+      ? await this.runner.inputs(recipe, selection.step)
+      : model === undefined
+        ? []
+        : [await this.runner.opened(recipe, model)];
     if (await this.autosave.setAside()) this.messages.toast('info', t('toast.kept'));
     this.autosave.begin({ own, link });
     this.state.title.value = title;

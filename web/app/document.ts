@@ -44,7 +44,7 @@ export class Document implements DocumentService {
 
   /** The committed open step while it is one that deforms. */
   get step(): DeformStep | undefined {
-    return edit.deformStepById(this.recipe, this.selection.step);
+    return edit.stepOf(this.recipe, this.selection.step, 'deform');
   }
 
   /** The open step as drawn; reads signals. */

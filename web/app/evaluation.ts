@@ -8,14 +8,15 @@ import type { Strands } from '../core/strands';
 import { stepById } from '../recipe/edit';
 import type { HairStep, Recipe, Step } from '../recipe/recipe';
 import type { Runner, RunOptions } from '../run/evaluate';
-import type { ModelResult, StepReport } from '../run/types';
-import { growsAlike, runHair, sameHead, withLook } from './hair/evaluation';
+import { mainOf, type StepReport } from '../run/results';
+import type { ModelResult } from '../run/types';
+import { growsAlike, runHair, sameHead } from './hair/evaluation';
 import { t } from './i18n';
 import { mergeWanted, runMerge } from './merge/evaluation';
 import { sameCut } from './merge/steps';
 import type { State } from './state';
 
-export type RunnerPort = Pick<Runner, 'run' | 'input' | 'opened'>;
+export type RunnerPort = Pick<Runner, 'run' | 'opened'>;
 
 /** The open step's result: what is on screen. */
 export interface Evaluation {
@@ -136,15 +137,15 @@ export class Evaluator {
   async #run({ recipe, step, live, merge }: Request, options: RunOptions): Promise<Outcome> {
     const { signal } = options;
     if (step.type === 'deform' && step.handles.length === 0) {
-      const input = await this.runner.input(recipe, step.id, signal ? { signal } : {});
+      const input = await this.runner.opened(recipe, step.model, signal ? { signal } : {});
       return { input, positions: input.model.positions, strands: null, report: null };
     }
     const settle = !live || this.#settledTime <= FRAME_BUDGET;
     if (merge && step.type === 'merge')
       return runMerge(this.runner, recipe, step, merge, this.state, { ...options, settle });
     const results = await this.runner.run(recipe, { ...options, until: step.id, settle });
-    const { input, model, report } = results.get(step.id)!;
-    return { input, positions: model.positions, strands: null, report };
+    const { inputs, model, report } = results.get(step.id)!;
+    return { input: mainOf(step, inputs), positions: model.positions, strands: null, report };
   }
 
   /** The first strands at once, all of them when the hand is still. */
@@ -158,14 +159,15 @@ export class Evaluator {
     const alike =
       shown?.step.type === 'hair' && growsAlike(shown.step, step) && sameBefore(shown.recipe, recipe, step);
     if (alike && (live || shown.settled)) {
-      const strands = shown.strands && withLook(shown.strands, step.material);
-      return finished({ ...shown, strands }, shown.settled);
+      if (!shown.strands) return finished(shown, shown.settled);
+      const { settled: settle } = shown;
+      return finished(await runHair(this.runner, recipe, step, { ...options, settle }), settle);
     }
     if (shown?.step.id !== step.id) {
       // A head takes its time to be prepared; until then it is seen bare rather than not at all.
-      const input = await this.runner.input(
+      const input = await this.runner.opened(
         recipe,
-        step.id,
+        step.model,
         options.signal ? { signal: options.signal } : {},
       );
       const bare = { input, positions: input.model.positions, strands: null, report: null };

@@ -4,7 +4,7 @@ import { batch, effect } from '@preact/signals';
 import type { Finding } from '../core/errors';
 import { faceCount, vertexCount } from '../core/model';
 import { toIndices } from '../core/vertex-set';
-import type { Measured, OpenedModel } from '../kernel/contract';
+import type { Measured, OpenedModel } from '../kernel/contract/model';
 import type { DeformHandle, DeformStep } from '../recipe/recipe';
 import type { Runner } from '../run/evaluate';
 import type { ModelResult } from '../run/types';
@@ -84,7 +84,7 @@ function publish(state: State, evaluation: Evaluation | null): void {
     ...old,
     vertices: facts.vertices,
     faces: facts.faces,
-    free: typeof report?.free === 'number' ? report.free : null,
+    free: report && 'free' in report ? report.free : null,
     factor: factor ? 1000 * factor : report ? old.factor : null,
     solve: report ? 1000 * (solve + rotate + reconstruct) : null,
     drag: settled ? old.drag : elapsed,

@@ -2,9 +2,9 @@
 
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { LissomError } from '../core/errors';
-import { newDeformStep } from '../recipe/edit';
 import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
+import { newDeformStep } from '../recipe/steps/deform';
 import type { GalleryEntry, GalleryService } from './api';
 import { t } from './i18n';
 import type { WorkspaceId } from './state';

@@ -4,7 +4,7 @@
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
 import type { Finding } from '../core/errors';
 import type { Model } from '../core/model';
-import { deformStepById } from '../recipe/edit';
+import { stepOf } from '../recipe/edit';
 import type { DeformStep, HairStep, MergeStep, Recipe } from '../recipe/recipe';
 import type { DisplayOptions, GizmoMode } from '../view/types';
 import { HairState } from './hair/state';
@@ -134,7 +134,7 @@ export class State {
   readonly selection: ReadonlySignal<Selection> = computed(() => this.shown.value.selection);
   /** The open step while it is one that deforms. */
   readonly step: ReadonlySignal<DeformStep | undefined> = computed(() =>
-    deformStepById(this.recipe.value, this.selection.value.step),
+    stepOf(this.recipe.value, this.selection.value.step, 'deform'),
   );
 
   /** The open step while it is one that grows hair. */

@@ -3,13 +3,14 @@
 import { LissomError } from '../core/errors';
 import * as edit from '../recipe/edit';
 import type { Recipe, StepType } from '../recipe/recipe';
+import { newDeformStep } from '../recipe/steps/deform';
 import { newHairStep } from '../recipe/steps/hair';
+import { scalpOf } from '../run/steps/hair/scalp';
 import { primitivesOf } from '../tools/hair/style';
 import type { MergeService, MessageService, WorkspaceService } from './api';
 import type { Desk } from './desk';
 import type { Document } from './document';
 import type { Evaluator } from './evaluation';
-import { scalpOf } from './hair/steps';
 import { t } from './i18n';
 import type { State, WorkspaceId } from './state';
 
@@ -108,7 +109,7 @@ export class Workspaces implements WorkspaceService {
     // Before the hair, which follows the shape it grows on.
     const steps = [
       ...recipe.steps.slice(0, at),
-      edit.newDeformStep(id, open.model),
+      newDeformStep(id, open.model),
       { ...open, model: id },
       ...recipe.steps.slice(at + 1),
     ];
@@ -119,7 +120,7 @@ export class Workspaces implements WorkspaceService {
   #deformAfter(merge: string): void {
     const { document } = this.parts;
     const id = freeId('deform', document.recipe);
-    const recipe = edit.addStep(document.recipe, edit.newDeformStep(id, merge));
+    const recipe = edit.addStep(document.recipe, newDeformStep(id, merge));
     document.commit(t('history.deform.start'), recipe, { step: id, handle: null });
   }
 

@@ -2,6 +2,7 @@
 
 import * as edit from '../../recipe/edit';
 import type { HairStep } from '../../recipe/recipe';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import { duplicatePrimitive, removePrimitive, replacePrimitive } from '../../tools/hair/edits';
 import type { HairScene } from '../../tools/hair/host';
 import { type Primitive, type PrimitivePatch, primitiveAt, primitivesOf } from '../../tools/hair/style';
@@ -15,7 +16,7 @@ import { LiveEdit } from '../live-edit';
 import type { ModelStore } from '../model-store';
 import type { State } from '../state';
 import { fitted } from './refit';
-import { hairStepById, headHeight, scalpOf, withHairStep } from './steps';
+import { hairStepById, headHeight, withHairStep } from './steps';
 
 interface Parts {
   readonly state: State;

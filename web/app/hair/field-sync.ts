@@ -16,7 +16,7 @@ interface Parts {
   readonly viewport: ViewportPort;
   readonly state: State;
   readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly runner: Pick<Runner, 'hairField'>;
+  readonly runner: Pick<Runner, 'ask'>;
   readonly failed: (error: unknown) => void;
 }
 
@@ -29,7 +29,7 @@ export function syncField({ viewport, state, evaluator, runner, failed }: Parts)
     viewport.setVolume(field && volume ? { low: field.low, high: field.high } : null);
   };
   const fetches = new Latest<{ readonly recipe: Recipe; readonly step: string }, HairField>({
-    work: ({ recipe, step }, signal) => runner.hairField(recipe, step, { stride: STRIDE, signal }),
+    work: ({ recipe, step }, signal) => runner.ask(recipe, step, 'field', { stride: STRIDE }, { signal }),
     deliver: draw,
     fail: failed,
   });

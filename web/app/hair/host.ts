@@ -3,6 +3,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { fromIndices } from '../../core/vertex-set';
 import type { HairStep } from '../../recipe/recipe';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import type { ModelResult } from '../../run/types';
 import type { Brush } from '../../tools/brush-stroke';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '../../tools/hair/host';
@@ -20,7 +21,7 @@ import type { Evaluator } from '../evaluation';
 import { t } from '../i18n';
 import type { State } from '../state';
 import type { ShownStroke } from './state';
-import { hairStepById, headHeight, scalpOf, withHairStep } from './steps';
+import { hairStepById, headHeight, withHairStep } from './steps';
 
 interface Parts {
   readonly viewport: ViewportPort;

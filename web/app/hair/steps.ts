@@ -1,9 +1,9 @@
 // Hair steps in a recipe: finding one, starting one, putting an edited one back.
 
 import type { Model } from '../../core/model';
-import { toIndices } from '../../core/vertex-set';
 import { stepById } from '../../recipe/edit';
 import type { HairStep, Recipe } from '../../recipe/recipe';
+import { scalpOf } from '../../run/steps/hair/scalp';
 
 export function hairStepById(recipe: Recipe, id: string): HairStep | undefined {
   const step = stepById(recipe, id);
@@ -14,12 +14,6 @@ export const withHairStep = (recipe: Recipe, step: HairStep): Recipe => ({
   ...recipe,
   steps: recipe.steps.map((each) => (each.id === step.id ? step : each)),
 });
-
-/** The vertices hair grows from: those the step names, else those the model brings. */
-export function scalpOf(step: Pick<HairStep, 'scalp'>, model: Model): Uint32Array {
-  if (step.scalp !== undefined) return toIndices(step.scalp, model.positions.length / 3);
-  return model.vertexSets?.scalp ?? new Uint32Array();
-}
 
 /** A body is many scalps high, a head about one and a third (as the kernel reckons, hair_volume.cpp). */
 const MOST_SCALPS = 2.5;

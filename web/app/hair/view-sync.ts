@@ -2,6 +2,7 @@
 
 import { effect } from '@preact/signals';
 import { strandCount } from '../../core/strands';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import { ponytailStage } from '../../tools/hair/ponytail-tool';
 import { curvesOf } from '../../tools/hair/style';
 import type { StyleCurve } from '../../view/hair/types';
@@ -11,7 +12,6 @@ import type { State } from '../state';
 import type { AppHairHost } from './host';
 import { SPARSE } from './lengths';
 import { frameHair } from './opening';
-import { scalpOf } from './steps';
 
 interface Parts {
   readonly viewport: ViewportPort;

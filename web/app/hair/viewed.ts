@@ -6,10 +6,10 @@ import type { Model } from '../../core/model';
 import type { Groom, Strands } from '../../core/strands';
 import { placedOn } from '../../io/strands/place';
 import { triangulate } from '../../io/triangulate';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import type { ViewModel, ViewportPort } from '../../view/types';
 import type { Evaluation, Evaluator } from '../evaluation';
 import type { State } from '../state';
-import { scalpOf } from './steps';
 
 export interface ViewedStrands {
   readonly name: string;

@@ -2,7 +2,7 @@
 
 import { LissomError } from '../../core/errors';
 import { fromIndices } from '../../core/vertex-set';
-import type { RegionMaps } from '../../kernel/contract';
+import type { RegionMaps } from '../../kernel/contract/merge';
 import type { MergeStep, ModelRef } from '../../recipe/recipe';
 import type { Runner } from '../../run/evaluate';
 import type { Mark } from '../../tools/merge/host';
@@ -34,7 +34,7 @@ import {
 } from './steps';
 
 interface Parts extends EditParts {
-  readonly runner: Pick<Runner, 'loopsAround' | 'opened' | 'mergeMaps'>;
+  readonly runner: Pick<Runner, 'opened' | 'ask'>;
 }
 
 export class MergeActions extends MergeShape implements MergeService {
@@ -180,12 +180,8 @@ export class MergeActions extends MergeShape implements MergeService {
   async maps(): Promise<RegionMaps | null> {
     const step = this.step;
     if (!step?.optimalBoundary || !isReady(step)) return null;
-    const { placement: _, ...marks } = step.optimalBoundary;
     try {
-      return await this.parts.runner.mergeMaps(this.parts.document.recipe, {
-        ...step,
-        optimalBoundary: marks,
-      });
+      return await this.parts.runner.ask(this.parts.document.recipe, step.id, 'maps', {});
     } catch (error) {
       // What is wrong with the marks is told where they are merged.
       if (error instanceof LissomError) return null;
@@ -219,8 +215,9 @@ export class MergeActions extends MergeShape implements MergeService {
           markOf(step, mark, aid.positions.length / 3),
         ]),
       ) as Partial<Record<Mark, Uint32Array>>;
-      const name = step[side];
-      return { ...aid, marks, loopsAround: (set: Uint32Array) => runner.loopsAround(recipe, name, set) };
+      const loopsAround = (vertices: Uint32Array) =>
+        runner.ask(recipe, step.id, 'loopsAround', { side, vertices });
+      return { ...aid, marks, loopsAround };
     };
     return meetingOf(part('source'), part('target'), cut);
   }

@@ -3,8 +3,8 @@
 import { isCancelled, LissomError } from '../../core/errors';
 import type { MergeStep, Recipe } from '../../recipe/recipe';
 import type { RunOptions } from '../../run/evaluate';
-import type { ModelResult, StepReport } from '../../run/types';
-import type { Key } from '../../tools/merge/pins';
+import type { StepReport } from '../../run/results';
+import type { ModelResult } from '../../run/types';
 import type { Evaluation, RunnerPort } from '../evaluation';
 import { tCode } from '../i18n';
 import type { State } from '../state';
@@ -68,14 +68,14 @@ const withoutRounds = (step: MergeStep): MergeStep =>
 
 export function mergeFigures({ report, input }: Evaluation): MergeFigures | null {
   if (report?.type !== 'merge') return null;
-  const seam = report.seam as Record<'highDihedral' | 'ownHighDihedral', number>;
+  const { seamVertices, eulerCharacteristic, seam, energy = [], keys = [] } = report;
   return {
-    seamVertices: Number(report.seamVertices),
+    seamVertices,
     closed: input.opened.closed,
-    eulerCharacteristic: Number(report.eulerCharacteristic),
+    eulerCharacteristic,
     seamDihedral: seam.highDihedral,
     ownDihedral: seam.ownHighDihedral,
-    energy: (report.energy as readonly number[] | undefined) ?? [],
-    keys: (report.keys as readonly (readonly Key[])[] | undefined) ?? [],
+    energy,
+    keys,
   };
 }

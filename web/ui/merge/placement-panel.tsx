@@ -1,6 +1,6 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
-import type { MapPlacement, RegionMaps } from '../../kernel/contract';
+import type { MapPlacement, RegionMaps } from '../../kernel/contract/merge';
 import { dragged, type PlacementHandle, type PlanePoint } from '../../tools/merge/placement';
 import { useApp } from '../context';
 import { Button } from '../controls/button';

@@ -1,8 +1,8 @@
 // The merged model put together from its two files and what the kernel says of them: polygons, colours, texture
 // coordinates, groups and vertex sets are carried along.
 
-import type { FaceGroup, Model } from '../core/model';
-import type { MergeContribution, Merged, Origins } from '../kernel/contract';
+import type { FaceGroup, Model } from '../../../core/model';
+import type { MergeContribution, Merged, Origins } from '../../../kernel/contract/merge';
 
 /** One of the two files and its share. */
 interface Side {
