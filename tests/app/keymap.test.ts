@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { isSingleKey, type KeyPress, keyLabel, keyOf, ownsKey } from '../../web/app/keys';
 import { DEFAULT_SETTINGS, StoredSettings } from '../../web/app/settings';
+import { WORKSPACES } from '../../web/app/wings';
 import { MemoryStorage, Tab } from './world';
 
 const press = (key: string, how: Partial<KeyPress> = {}): KeyPress => ({

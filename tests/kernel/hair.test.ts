@@ -243,6 +243,7 @@ test('hair gives its memory back, and the module has what its declaration says',
   for (const name of ['HairSession', 'HairGrowth'] as const) {
     const body = declared.match(new RegExp(`interface Wasm${name}[^{]*\\{(.*?)\\n\\}`, 's'))?.[1] ?? '';
     const members = [...body.matchAll(/^ {2}(\w+)\(/gm)].map((match) => match[1]);
+    expect(members.length).toBeGreaterThan(0);
     for (const member of members)
       expect((wasm[name] as unknown as { prototype: object }).prototype).toHaveProperty(member as string);
   }

@@ -8,7 +8,7 @@ import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
 import type { ModelSource } from '../../web/run/types';
 import { combedDown, egg, scalpOf } from '../kernel/hair-shapes';
-import { bowl, dome, tube } from '../kernel/tubes';
+import { dome, tube } from '../kernel/tubes';
 
 /** The real kernel, which dies just before it would be asked for a certain thing. */
 class MortalKernel implements KernelPort {
@@ -46,7 +46,6 @@ const dish: Model = { name: 'dish', ...tube(14, 20, dome) };
 const MODELS: Readonly<Record<string, Model>> = {
   egg: { name: 'egg', ...shape, vertexSets: { scalp: scalpOf(shape) } },
   dish,
-  pot: { name: 'pot', ...tube(14, 20, bowl, false) },
 };
 const recipe = parseRecipe({
   lissom: 1,

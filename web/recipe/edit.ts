@@ -13,7 +13,7 @@ export function uniqueName(base: string, taken: Iterable<string>): string {
   return name;
 }
 
-/** An id for a new step: `hair 1`, `hair 2` … */
+/** An id for a new step: its kind and the first number that is free. */
 export function freeId(kind: StepType, recipe: Recipe): string {
   const taken = takenNames(recipe);
   for (let number = 1; ; number++) if (!taken.includes(`${kind} ${number}`)) return `${kind} ${number}`;
