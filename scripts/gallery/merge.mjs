@@ -1,8 +1,8 @@
 // The gallery's merged models: where they are to meet is picked by geometry, as a hand would paint it. Written by
 // scripts/gallery.mjs.
 
-import { readPly } from './lib/ply.mjs';
-import { setOf } from './lib/vertex-set.mjs';
+import { readPly } from './ply.mjs';
+import { setOf } from './vertex-set.mjs';
 
 /** Directions along which a vertex can lie farthest. */
 const [UP, DOWN, FRONT, BACK] = [

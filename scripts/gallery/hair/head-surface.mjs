@@ -1,6 +1,6 @@
 // A head's skin for scripts that place strokes on it: rays from outside towards its middle.
 
-import { readPly } from './ply.mjs';
+import { readPly } from '../ply.mjs';
 
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
