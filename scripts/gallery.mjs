@@ -5,9 +5,8 @@ import { writeFileSync } from 'node:fs';
 import { deformExamples, firstRecipe } from './gallery/deform.mjs';
 import { hairExamples } from './gallery/hair.mjs';
 import { mergeExamples } from './gallery/merge.mjs';
-import { readPly } from './gallery/ply.mjs';
+import { folder, modelOf } from './gallery/models.mjs';
 
-const folder = new URL('../public/gallery/', import.meta.url);
 const OWN = 'Own work, CC0 1.0';
 const HUMAN = 'MakeHuman data, CC0 1.0';
 
@@ -29,7 +28,7 @@ const models = [
   ['head-elf', 'Head, elf', HUMAN],
 ];
 
-const examples = [...deformExamples(folder), ...mergeExamples(folder), ...hairExamples(folder)];
+const examples = [...deformExamples(), ...mergeExamples(), ...hairExamples()];
 
 function write(file, value, indent) {
   const text = `${JSON.stringify(value, null, indent)}\n`;
@@ -37,7 +36,7 @@ function write(file, value, indent) {
   console.log(file.padEnd(40), `${text.length} bytes`);
 }
 
-write('recipes/first.json', firstRecipe(folder));
+write('recipes/first.json', firstRecipe());
 for (const [name, , , made] of examples) write(`recipes/${name}.json`, made);
 const index = {
   models: models.map(([name, title, licence]) => ({
@@ -45,7 +44,7 @@ const index = {
     file: `${name}.ply`,
     title,
     licence,
-    vertices: readPly(new URL(`${name}.ply`, folder)).points.length,
+    vertices: modelOf(name).points.length,
     ...(name.startsWith('head-') && { scalp: true }),
   })),
   examples: examples.map(([name, title, model, made]) => ({

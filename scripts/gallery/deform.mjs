@@ -1,6 +1,6 @@
 // The gallery's bent models: what may move and what is taken hold of is picked by geometry, as a hand would paint it.
 
-import { readPly } from './ply.mjs';
+import { modelOf } from './models.mjs';
 import { setOf } from './vertex-set.mjs';
 
 /** The vertices for which `inside(x, y, z)` holds. */
@@ -43,8 +43,8 @@ const recipe = (model, roi, handles) => ({
   outputs: [],
 });
 
-function dinosaur(pointsOf, head = identity, tail = identity) {
-  const points = pointsOf('dinosaur');
+function dinosaur(head = identity, tail = identity) {
+  const { points } = modelOf('dinosaur');
   const isNeck = (y, z) => (y - 1.12) * 0.64 + (z - 0.62) * 0.77 > 0;
   return recipe(
     'dinosaur',
@@ -64,8 +64,8 @@ function dinosaur(pointsOf, head = identity, tail = identity) {
   );
 }
 
-function critter(pointsOf) {
-  const points = pointsOf('critter');
+function critter() {
+  const { points } = modelOf('critter');
   return recipe(
     'critter',
     pick(points, (x, y) => Math.abs(x) > 0.42 && y > 0.95 && y < 1.75),
@@ -84,8 +84,8 @@ function critter(pointsOf) {
   );
 }
 
-function bar(pointsOf) {
-  const points = pointsOf('bar');
+function bar() {
+  const { points } = modelOf('bar');
   const ys = points.map(([, y]) => y);
   const [low, high] = [ys.reduce((a, b) => Math.min(a, b)), ys.reduce((a, b) => Math.max(a, b))];
   const end = (high - low) * 0.08;
@@ -102,8 +102,8 @@ function bar(pointsOf) {
   ]);
 }
 
-function octopus(pointsOf) {
-  const points = pointsOf('octopus');
+function octopus() {
+  const { points } = modelOf('octopus');
   const radius = (x, z) => Math.hypot(x, z);
   const ends = [
     [1.447, 0.089],
@@ -134,19 +134,16 @@ function octopus(pointsOf) {
   );
 }
 
-const reader = (folder) => (name) => readPly(new URL(`${name}.ply`, folder)).points;
-
 /** What the app opens with: its first model at rest, with two handles. */
-export const firstRecipe = (folder) => dinosaur(reader(folder));
+export const firstRecipe = () => dinosaur();
 
-/** @param folder  URL of public/gallery/ @returns name, title, model and recipe of each example */
-export function deformExamples(folder) {
-  const pointsOf = reader(folder);
+/** @returns name, title, model and recipe of each example */
+export function deformExamples() {
   const [back, up] = [turn([0, 1, 0.2], 100, [0, 1.5, 0.95]), turn([1, 0.3, 0], 55, [0, 0.75, -1.3])];
   return [
-    ['dinosaur-looking-back', 'Dinosaur, looking back', 'dinosaur', dinosaur(pointsOf, back, up)],
-    ['critter-waving', 'Critter, waving', 'critter', critter(pointsOf)],
-    ['bar-twisted', 'Bar, twisted', 'bar', bar(pointsOf)],
-    ['octopus-curled', 'Octopus, curled up', 'octopus', octopus(pointsOf)],
+    ['dinosaur-looking-back', 'Dinosaur, looking back', 'dinosaur', dinosaur(back, up)],
+    ['critter-waving', 'Critter, waving', 'critter', critter()],
+    ['bar-twisted', 'Bar, twisted', 'bar', bar()],
+    ['octopus-curled', 'Octopus, curled up', 'octopus', octopus()],
   ];
 }

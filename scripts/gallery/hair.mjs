@@ -9,6 +9,7 @@ import { ponytail } from './hair/ponytail.mjs';
 import { sidePart } from './hair/side-part.mjs';
 import { smooth } from './hair/smooth.mjs';
 import { waves } from './hair/waves.mjs';
+import { modelOf } from './models.mjs';
 
 /** In the gallery's order. */
 const STYLES = [smooth, parted, bob, ponytail, pigtails, curly, sidePart, waves];
@@ -19,11 +20,11 @@ const recipe = (head, style) => ({
   steps: [{ id: 'hair 1', type: 'hair', model: head, ...style }],
 });
 
-/** @param folder  URL of public/gallery/ @returns name, title, model and recipe of each style */
-export function hairExamples(folder) {
+/** @returns name, title, model and recipe of each style */
+export function hairExamples() {
   const hands = new Map();
   const handOn = (head) => {
-    if (!hands.has(head)) hands.set(head, new Hand(new URL(`${head}.ply`, folder)));
+    if (!hands.has(head)) hands.set(head, new Hand(modelOf(head)));
     return hands.get(head);
   };
   return STYLES.map(({ name, title, head, style }) => [name, title, head, recipe(head, style(handOn(head)))]);

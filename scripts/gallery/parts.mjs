@@ -3,6 +3,7 @@
 
 import { writeFileSync } from 'node:fs';
 import { halves, implicitSurface } from './implicit-surface.mjs';
+import { folder } from './models.mjs';
 import { plyOf } from './ply.mjs';
 
 const clamp = (x, low = 0, high = 1) => Math.min(high, Math.max(low, x));
@@ -182,7 +183,7 @@ function wings() {
 }
 
 const write = (name, mesh) => {
-  writeFileSync(new URL(`../../public/gallery/${name}.ply`, import.meta.url), plyOf(mesh));
+  writeFileSync(new URL(`${name}.ply`, folder), plyOf(mesh));
   console.log(name, mesh.points.length, 'vertices');
 };
 write('pipes', pipes());

@@ -2,9 +2,11 @@
 // at. A document is replaced only once what was opened has proved usable, so a bad file costs nothing.
 
 import { LissomError } from '../core/errors';
+import type { Model } from '../core/model';
 import type { Groom } from '../core/strands';
 import { readModel, readProject, readStrands } from '../io/index';
 import { isPng } from '../io/png-text';
+import type { ReadResult } from '../io/reading';
 import { isHair } from '../io/strands/hair';
 import { hasObjLines } from '../io/strands/obj-lines';
 import { newDeformStep, uniqueName } from '../recipe/edit';
@@ -30,7 +32,7 @@ export interface ReadFile {
 interface Parts {
   readonly state: State;
   readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly models: Pick<ModelStore, 'add' | 'read'>;
+  readonly models: Pick<ModelStore, 'add' | 'open'>;
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
   readonly merge: Pick<MergeService, 'choosePart'>;
@@ -66,9 +68,10 @@ export class FileOpener {
   /** An OBJ with lines: hair alone, hair with its head, or a model with a few loose edges. */
   async #openLines(file: ReadFile): Promise<void> {
     const { messages, state } = this.parts;
-    const { name } = file;
-    const groom = strandsIn(file);
-    if (!groom) return this.#openMesh(file);
+    const { name, bytes } = file;
+    const mesh = readModel(bytes, name);
+    const groom = strandsIn(file, mesh.model);
+    if (!groom) return this.#openMesh(file, mesh);
     const again = (act: () => void | Promise<void>) => async () => {
       try {
         await act();
@@ -79,11 +82,11 @@ export class FileOpener {
     if (!groom.head) return this.#view(groom);
     if (state.workspace.peek() === 'hair') {
       this.#view(groom);
-      const run = again(() => this.#openMesh(file));
+      const run = again(() => this.#openMesh(file, mesh));
       messages.toast('info', t('toast.lines-seen', { name }), { label: t('toast.open-model'), run });
       return;
     }
-    await this.#openMesh(file);
+    await this.#openMesh(file, mesh);
     const run = again(() => this.#view(groom));
     messages.toast('info', t('toast.lines', { name }), { label: t('toast.see-lines'), run });
   }
@@ -94,12 +97,10 @@ export class FileOpener {
     state.hair.viewed.value = viewed(groom, evaluator.result.peek());
   }
 
-  async #openMesh({ name, bytes }: ReadFile): Promise<void> {
+  /** @param read  what was read of it, if that is known already */
+  async #openMesh({ name, bytes }: ReadFile, read?: ReadResult): Promise<void> {
     const { models, desk, merge, state } = this.parts;
-    // Before it is kept under a name: a file that cannot be read leaves no trace.
-    readModel(bytes, name);
-    const { file } = await models.add(name, bytes);
-    const { notes } = await models.read({ file });
+    const { file, notes } = await models.open(name, bytes, read);
     const model = modelName(name);
     if (state.choosing.peek()) {
       merge.choosePart(model, { file });
@@ -143,9 +144,9 @@ export class FileOpener {
 }
 
 /** @returns `null` where the lines are no strands: a model may have lines that are of no use here */
-function strandsIn({ name, bytes }: ReadFile): Groom | null {
+function strandsIn({ name, bytes }: ReadFile, model: Model): Groom | null {
   try {
-    return readStrands(bytes, name);
+    return readStrands(bytes, name, model);
   } catch (error) {
     if (error instanceof LissomError && error.fault === 'input') return null;
     throw error;

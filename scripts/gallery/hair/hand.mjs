@@ -9,8 +9,9 @@ const round = (point) => point.map((x) => Math.round(x * 10 ** PLACES) / 10 ** P
 
 /** One head with the moves of a hand on it. Lengths are parts of the head's height. */
 export class Hand {
-  constructor(file) {
-    this.head = new HeadSurface(file);
+  /** @param head  as `modelOf` gives it */
+  constructor(head) {
+    this.head = new HeadSurface(head);
     this.size = this.head.height;
   }
 
