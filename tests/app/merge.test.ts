@@ -180,7 +180,14 @@ test('marks that cannot be joined are told in words that say what to do, and not
   expect(document.recipe).toBe(before);
   await tab.app.commands.run('merge.run');
   await evaluator.settled();
-  expect(document.recipe.steps.at(-1)).toMatchObject({ type: 'merge' });
+  // The button takes the yellow mark into the red one: all that was painted is still there, and still no ring around it.
+  expect(state.merge.problem.value).toContain('yellow');
+  expect(merged(tab)).toBeNull();
+  expect((['source', 'feature', 'target'] as const).map((mark) => merge.markSize(mark))).toEqual([
+    141, 141, 173,
+  ]);
+  document.undo();
+  expect(document.recipe).toBe(before);
 });
 
 test('stopping a merge leaves its button to begin again', async () => {

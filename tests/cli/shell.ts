@@ -9,9 +9,6 @@ import { IDENTITY } from '../../web/core/affine';
 import type { Model } from '../../web/core/model';
 import { readModel, writeModel } from '../../web/io/formats';
 
-/** Whether `npm run wasm` has been run: what needs the real solver is skipped without it. */
-export const hasKernel = existsSync(new URL('../../wasm/dist/kernel.mjs', import.meta.url));
-
 export interface Printed {
   readonly status: number;
   readonly stdout: string;

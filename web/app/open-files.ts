@@ -4,6 +4,7 @@
 import { readModel, readProject } from '../io/index';
 import { LOOSE_ENDINGS, looseKind } from '../io/loose';
 import { isPng } from '../io/png-text';
+import type { ReadResult } from '../io/reading';
 import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
 import type { MessageService, WingService } from './api';
@@ -24,7 +25,7 @@ export interface ReadFile {
 
 interface Parts {
   readonly state: State;
-  readonly models: Pick<ModelStore, 'add' | 'read'>;
+  readonly models: Pick<ModelStore, 'add' | 'open'>;
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
   readonly wings: () => Pick<WingService, 'load'>;
@@ -55,16 +56,16 @@ export class FileOpener {
     const loose = looseKind(mesh.bytes, mesh.name);
     const wing = loose && wingFor(loose.kind);
     if (!loose || !wing) return this.#openMesh(mesh);
-    const openModel = () => this.#openMesh(mesh);
-    await (await this.parts.wings().load(wing)).take?.({ ...mesh, only: loose.only, openModel });
+    const read = loose.only ? undefined : readModel(mesh.bytes, mesh.name);
+    const openModel = () => this.#openMesh(mesh, read);
+    const { name, bytes } = mesh;
+    await (await this.parts.wings().load(wing)).take?.({ name, bytes, model: read?.model, openModel });
   }
 
-  async #openMesh({ name, bytes }: ReadFile): Promise<void> {
+  /** @param read  what was read of it, if that is known already */
+  async #openMesh({ name, bytes }: ReadFile, read?: ReadResult): Promise<void> {
     const { models, desk, wings, state } = this.parts;
-    // Before it is kept under a name: a file that cannot be read leaves no trace.
-    readModel(bytes, name);
-    const { file } = await models.add(name, bytes);
-    const { notes } = await models.read({ file });
+    const { file, notes } = await models.open(name, bytes, read);
     const model = modelName(name);
     const choice = state.choosing.peek();
     if (choice) {

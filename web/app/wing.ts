@@ -2,6 +2,7 @@
 // never asks which wing it has in hand; what a wing offers beside is here, and left out where it offers nothing.
 
 import type { Finding } from '../core/errors';
+import type { Model } from '../core/model';
 import type { ModelRef, Recipe, Step } from '../recipe/recipe';
 import type { Tool } from '../tools/tool';
 import type { ViewportPort } from '../view/types';
@@ -39,8 +40,8 @@ export interface BareModel {
 export interface LooseFile {
   readonly name: string;
   readonly bytes: Uint8Array;
-  /** It holds no model. */
-  readonly only: boolean;
+  /** The model that it holds beside; `undefined`: none. */
+  readonly model: Model | undefined;
   /** Opens it as a model all the same. */
   readonly openModel: () => Promise<void>;
 }

@@ -79,10 +79,10 @@ export class Looking {
    *
    * @throws LissomError  where a file of strands alone cannot be read
    */
-  async take({ name, bytes, only, openModel }: LooseFile): Promise<void> {
+  async take({ name, bytes, model, openModel }: LooseFile): Promise<void> {
     const { state, messages } = this.parts;
-    if (only) return this.#show(readStrands(bytes, name));
-    const groom = strandsIn(name, bytes);
+    if (!model) return this.#show(readStrands(bytes, name));
+    const groom = strandsIn(name, bytes, model);
     if (!groom) return openModel();
     if (!groom.head) return this.#show(groom);
     if (state.workspace.peek() === 'hair') {
@@ -112,9 +112,9 @@ export class Looking {
 }
 
 /** @returns `null` where the lines are no strands: a model may have lines that are of no use here */
-function strandsIn(name: string, bytes: Uint8Array): Groom | null {
+function strandsIn(name: string, bytes: Uint8Array, model: Model): Groom | null {
   try {
-    return readStrands(bytes, name);
+    return readStrands(bytes, name, model);
   } catch (error) {
     if (error instanceof LissomError && error.fault === 'input') return null;
     throw error;

@@ -1,10 +1,10 @@
 // Renders the gallery's pictures with the app itself: public/gallery/thumbnails/*.webp, of the gallery cards' shape.
-// Run by hand after the gallery changed: node scripts/thumbnails.mjs [name ...]
+// Run by hand after the gallery changed: node scripts/gallery/thumbnails.mjs [name ...]
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { bare, cameraOnHead, drawn, openStudio } from './lib/studio.mjs';
+import { bare, cameraOnHead, drawn, openStudio } from '../lib/studio.mjs';
+import { folder as gallery } from './models.mjs';
 
-const gallery = new URL('../public/gallery/', import.meta.url);
 const SIZE = { width: 512, height: 384 };
 /** Of light and shade for models; of strands, thinner than a pixel, for hair. */
 const SAMPLES = { model: 2, hair: 6 };

@@ -1,7 +1,5 @@
 // A head's skin for scripts that place strokes on it: rays from outside towards its middle.
 
-import { readPly } from './ply.mjs';
-
 const minus = (a, b) => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
@@ -26,9 +24,8 @@ export function slerp(a, b, t) {
 }
 
 export class HeadSurface {
-  /** @param file  a binary PLY of float x, y, z, uchar scalp per vertex and triangles */
-  constructor(file) {
-    const { points, faces, scalp } = readPly(file);
+  /** @param head  as `readPly` gives it, of triangles */
+  constructor({ points, faces, scalp }) {
     this.points = points;
     /** Vertices that hair grows on. */
     this.scalp = scalp;

@@ -1,8 +1,8 @@
 // The gallery's merged models: where they are to meet is picked by geometry, as a hand would paint it. Written by
 // scripts/gallery.mjs.
 
-import { readPly } from './lib/ply.mjs';
-import { setOf } from './lib/vertex-set.mjs';
+import { modelOf } from './models.mjs';
+import { setOf } from './vertex-set.mjs';
 
 /** Directions along which a vertex can lie farthest. */
 const [UP, DOWN, FRONT, BACK] = [
@@ -13,8 +13,8 @@ const [UP, DOWN, FRONT, BACK] = [
 ];
 
 class Shape {
-  constructor(file) {
-    Object.assign(this, readPly(file));
+  constructor(model) {
+    Object.assign(this, model);
   }
 
   where(inside) {
@@ -191,11 +191,11 @@ const EXAMPLES = [
   ['merge-sea-horse', 'Sea horse', 'octopus', seaHorse],
 ];
 
-/** @param folder  URL of public/gallery/ @returns name, title, model and recipe of each example */
-export function mergeExamples(folder) {
+/** @returns name, title, model and recipe of each example */
+export function mergeExamples() {
   const shapes = new Map();
   const shape = (name) => {
-    if (!shapes.has(name)) shapes.set(name, new Shape(new URL(`${name}.ply`, folder)));
+    if (!shapes.has(name)) shapes.set(name, new Shape(modelOf(name)));
     return shapes.get(name);
   };
   return EXAMPLES.map(([name, title, model, make]) => [name, title, model, make(shape)]);

@@ -1,9 +1,10 @@
 // The gallery's parts: models made to be merged with others, by formula. Writes public/gallery/<name>.ply. Run by hand
-// when a shape changes, and scripts/gallery.mjs after it: node scripts/gallery-parts.mjs
+// when a shape changes, and scripts/gallery.mjs after it: node scripts/gallery/parts.mjs
 
 import { writeFileSync } from 'node:fs';
-import { halves, implicitSurface } from './lib/implicit-surface.mjs';
-import { plyOf } from './lib/ply.mjs';
+import { halves, implicitSurface } from './implicit-surface.mjs';
+import { folder } from './models.mjs';
+import { plyOf } from './ply.mjs';
 
 const clamp = (x, low = 0, high = 1) => Math.min(high, Math.max(low, x));
 /** The union of two shapes with a fillet of about k between them (Quilez' polynomial smooth minimum). */
@@ -182,7 +183,7 @@ function wings() {
 }
 
 const write = (name, mesh) => {
-  writeFileSync(new URL(`../public/gallery/${name}.ply`, import.meta.url), plyOf(mesh));
+  writeFileSync(new URL(`${name}.ply`, folder), plyOf(mesh));
   console.log(name, mesh.points.length, 'vertices');
 };
 write('pipes', pipes());
