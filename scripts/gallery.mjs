@@ -52,7 +52,7 @@ const index = {
     title,
     model,
     file: `recipes/${name}.json`,
-    ...(made.steps[0].type === 'merge' && { workspace: 'merge' }),
+    workspace: made.steps[0].type,
   })),
 };
 write('index.json', index, 2);

@@ -181,9 +181,9 @@ test('marks that cannot be joined are told in words that say what to do, and not
   await tab.app.commands.run('merge.run');
   await evaluator.settled();
   // The button takes the yellow mark into the red one: all that was painted is still there, and still no ring around it.
-  expect(state.merge.problem.value).toContain('yellow');
+  expect(tab.mergeState.problem.value).toContain('yellow');
   expect(merged(tab)).toBeNull();
-  expect((['source', 'feature', 'target'] as const).map((mark) => merge.markSize(mark))).toEqual([
+  expect((['source', 'feature', 'target'] as const).map((mark) => merge.marking.markSize(mark))).toEqual([
     141, 141, 173,
   ]);
   document.undo();
