@@ -5,6 +5,8 @@ import { bowl, dome, tube } from '../kernel/tubes';
 import { bytesOf, Desk, diagonal, expect, gap, SIZE, test, withoutPickers } from './desk';
 import { choosePart, merged, pressMerge, spotOf, spots, strokeOver } from './merge-desk';
 
+// Each on a page of its own.
+test.describe.configure({ mode: 'parallel' });
 test.slow();
 
 test.describe('a horse’s head on a dinosaur', () => {

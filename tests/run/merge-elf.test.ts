@@ -69,7 +69,7 @@ async function merge(source: Model, target: Model, step: object) {
   return { model, report, seam: report.seam };
 }
 
-test('an elf gets the head it always wanted, wherever the head lay before', { timeout: 60_000 }, async () => {
+test('an elf gets the head it always wanted, wherever the head lay before', async () => {
   const head = load('head-elf');
   const body = load('body-female');
   const neck = neckOf(head);
