@@ -140,11 +140,11 @@ export class MemoryStore implements DocumentStore {
   documents = async () => [...this.kept.values()];
   document = async (id: string) => this.kept.get(id);
   blob = async (hash: string) => this.blobs.get(hash);
-  missing = async (hashes: Iterable<string>) => [...new Set(hashes)].filter((hash) => !this.blobs.has(hash));
   async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
     if (this.broken) throw new Error('the disk is full');
-    for (const [hash, bytes] of blobs) this.blobs.set(hash, bytes);
-    this.written += blobs.size;
+    const missing = [...blobs].filter(([hash]) => !this.blobs.has(hash));
+    for (const [hash, bytes] of missing) this.blobs.set(hash, bytes);
+    this.written += missing.length;
     this.kept.set(document.id, structuredClone(document));
   }
   async remove(ids: readonly string[]): Promise<void> {
@@ -158,6 +158,11 @@ export class MemoryStorage {
   readonly #items = new Map<string, string>();
   getItem = (key: string) => this.#items.get(key) ?? null;
   setItem = (key: string, value: string) => void this.#items.set(key, value);
+  removeItem = (key: string) => void this.#items.delete(key);
+  key = (index: number) => [...this.#items.keys()][index] ?? null;
+  get length(): number {
+    return this.#items.size;
+  }
 }
 
 /** One browser: what several tabs share. */
@@ -176,6 +181,8 @@ export class Tab {
   readonly copied: string[] = [];
   readonly app: BuiltApp;
   reloads = 0;
+  /** Tells the app that another tab has a document, too. */
+  lose: (id: string) => void = () => {};
 
   constructor(
     readonly browser = new Browser(),
@@ -194,6 +201,9 @@ export class Tab {
           return owner === this;
         },
         release: (id) => void browser.claimed.delete(id),
+        onLost: (listener) => {
+          this.lose = listener;
+        },
       },
       dialogs: {
         open: async () => [file('cube.obj', CUBE_OBJ)],
