@@ -2,16 +2,15 @@
 // in the store within two seconds. Brings it back after a reload or a crash. Every document that is opened gets
 // a restore point of its own; the last 20 are kept.
 
-import { LissomError } from '../core/errors';
-import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
 import type { AutosaveService, MessageService, RestorePoint } from './api';
-import type { Document, Entry } from './document';
+import type { Document } from './document';
 import { t } from './i18n';
-import { Journal, type JournalEntry, type JournalStorage } from './journal';
+import { Journal, type JournalStorage } from './journal';
+import { KeptWork, type Opened } from './kept-work';
 import type { ModelStore } from './model-store';
 import { hashedText } from './recipe-text';
-import { countsOf, type KeptDocument, replayed } from './replay';
+import { countsOf } from './replay';
 import type { State } from './state';
 import type { DocumentStore, StoredDocument } from './store';
 import type { Claims } from './tab-claim';
@@ -63,11 +62,14 @@ export class Autosave implements AutosaveService {
   readonly #unsubscribe: () => void;
   /** Files that the store is known to have, by hash. */
   readonly #files = new Set<string>();
-  /** Replayed from the journal, but not yet taken by the store. */
-  readonly #replayed = new Map<string, KeptDocument>();
+  readonly #kept: KeptWork;
 
   constructor(private readonly parts: AutosaveParts) {
     this.#journal = new Journal(parts.storage);
+    const onCopied = (id: string, copy: string) => {
+      if (parts.tab.getItem(TAB_KEY) === id) this.#rememberInTab(copy);
+    };
+    this.#kept = new KeptWork({ ...parts, journal: this.#journal, onCopied });
     this.#unsubscribe = parts.document.onCommit(() => {
       if (this.#isOwn) this.touch();
     });
@@ -155,16 +157,16 @@ export class Autosave implements AutosaveService {
 
   async restorePoints(): Promise<readonly RestorePoint[]> {
     await this.flush();
-    return (await this.#kept()).map(({ id, time, title, steps, handles, kind }) => {
+    return (await this.#kept.documents(this.#id)).map(({ id, time, title, steps, handles, kind }) => {
       return { id, time, title, steps, handles, kind, current: id === this.#id };
     });
   }
 
   async restore(id: string): Promise<void> {
     if (id === this.#id) return;
-    const stored = this.#replayed.get(id)?.document ?? (await this.parts.store.document(id));
+    const stored = await this.#kept.document(id);
     if (!stored) return;
-    const opened = await this.#read(stored);
+    const opened = await this.#kept.read(stored);
     if (await this.setAside()) this.parts.messages.toast('info', t('toast.kept'));
     await this.#lay(stored, opened);
   }
@@ -174,7 +176,7 @@ export class Autosave implements AutosaveService {
    * @param link  the address opened now: its own stored changes go before it, no others do
    */
   async restoreLast(link?: string): Promise<boolean> {
-    const all = await this.#kept();
+    const all = await this.#kept.documents(this.#id);
     const mine = all.find(({ id }) => id === this.parts.tab.getItem(TAB_KEY));
     const candidates = link
       ? all.filter((each) => each === mine && each.link === link)
@@ -182,7 +184,7 @@ export class Autosave implements AutosaveService {
     for (const stored of candidates) {
       if (!(await this.parts.claims.claim(stored.id))) continue;
       try {
-        await this.#lay(stored, await this.#read(stored));
+        await this.#lay(stored, await this.#kept.read(stored));
         return true;
       } catch (error) {
         this.parts.claims.release(stored.id);
@@ -250,7 +252,7 @@ export class Autosave implements AutosaveService {
       this.#failing = false;
       if (id !== this.#id) return;
       this.#written = revision;
-      this.#replayed.delete(id);
+      this.#kept.written(id);
       if (this.#journalled <= revision) this.#journal.remove(id);
       state.saved.value = this.#isWritten ? { kind: 'saved', time } : { kind: 'unsaved' };
     } catch (error) {
@@ -312,94 +314,6 @@ export class Autosave implements AutosaveService {
 
   readonly #isNew = ({ hash }: { readonly hash: string }): boolean => !this.#files.has(hash);
 
-  /** Every document there is, newest first, with what the journal has beyond the store. */
-  async #kept(): Promise<readonly StoredDocument[]> {
-    const { store, messages } = this.parts;
-    let stored: readonly StoredDocument[] | null = null;
-    try {
-      stored = await store.documents();
-    } catch (error) {
-      messages.failed(error);
-    }
-    await this.#replay(stored);
-    const all = new Map((stored ?? []).map((each) => [each.id, each]));
-    for (const [id, { document }] of this.#replayed) all.set(id, document);
-    return [...all.values()].sort((a, b) => b.time - a.time);
-  }
-
-  /** Takes up what tabs that are gone have left in the journal. @param stored  `null` while the store is silent */
-  async #replay(stored: readonly StoredDocument[] | null): Promise<void> {
-    const { claims, messages } = this.parts;
-    for (const entry of this.#journal.all()) {
-      if (entry.id === this.#id || !(await claims.claim(entry.id))) continue;
-      try {
-        await this.#takeUp(entry, stored);
-      } catch (error) {
-        messages.failed(error);
-      }
-      claims.release(entry.id);
-    }
-  }
-
-  async #takeUp(entry: JournalEntry, stored: readonly StoredDocument[] | null): Promise<void> {
-    if (!stored) {
-      if (this.#replayed.has(entry.id)) return;
-      // The store may have a history of this document, which one without it must not replace later.
-      const moved = this.#journal.move(entry, this.parts.newId());
-      if (this.parts.tab.getItem(TAB_KEY) === entry.id) this.#rememberInTab(moved.id);
-      this.#replayed.set(moved.id, await replayed(moved));
-      return;
-    }
-    const known = stored.find(({ id }) => id === entry.id);
-    if (known && (known.revision ?? 0) >= entry.revision) {
-      this.#journal.remove(entry.id);
-      return;
-    }
-    const kept = await replayed(entry, known);
-    try {
-      await this.parts.store.write(kept.document, kept.blobs);
-    } catch {
-      this.#replayed.set(entry.id, kept); // it stays in the journal; the next save says what is wrong
-      return;
-    }
-    this.#journal.remove(entry.id);
-    this.#replayed.delete(entry.id);
-  }
-
-  /** @throws LissomError  where nothing is left of it */
-  async #read({ id, title, entries: stored, index, files }: StoredDocument): Promise<Opened> {
-    const { store, models } = this.parts;
-    const missing: string[] = [];
-    for (const { file, hash } of files) {
-      const bytes = await this.#blob(hash);
-      if (bytes) models.put({ file, hash, bytes });
-      else missing.push(file);
-    }
-    const recipes = new Map<string, Recipe | undefined>();
-    const entries: Entry[] = [];
-    let shown = 0;
-    for (const [i, { recipe: hash, selection, label, time }] of stored.entries()) {
-      if (!recipes.has(hash)) {
-        const bytes = await this.#blob(hash);
-        recipes.set(hash, bytes && parseRecipe(new TextDecoder().decode(bytes)));
-      }
-      const document = recipes.get(hash);
-      if (!document) continue;
-      if (i <= index) shown = entries.length;
-      entries.push({ document, selection, label, time });
-    }
-    if (entries.length === 0) {
-      await store.remove([id]);
-      throw new LissomError('work-gone', t('error.work-gone', { title }));
-    }
-    return { entries, index: shown, missing, lost: stored.length - entries.length };
-  }
-
-  async #blob(hash: string): Promise<Uint8Array | undefined> {
-    for (const { blobs } of this.#replayed.values()) if (blobs.has(hash)) return blobs.get(hash);
-    return this.parts.store.blob(hash);
-  }
-
   /** Goes on with a stored document under its own name, or under a new one while another tab has it. */
   async #lay(stored: StoredDocument, { entries, index, missing, lost }: Opened): Promise<void> {
     const { claims, document, messages, newId, state } = this.parts;
@@ -415,7 +329,7 @@ export class Autosave implements AutosaveService {
     if (!mine) {
       void claims.claim(this.#id);
       this.touch();
-    } else if (this.#replayed.has(stored.id)) {
+    } else if (this.#kept.isUnwritten(stored.id)) {
       this.#written = -1;
       state.saved.value = { kind: 'unsaved' };
       this.#schedule(0);
@@ -424,16 +338,6 @@ export class Autosave implements AutosaveService {
       messages.toast('warn', t('toast.files-gone', { title, files: missing.join(', ') }));
     if (lost > 0) messages.toast('warn', t('toast.states-gone', { title, count: lost }));
   }
-}
-
-/** What could be read of a stored document. */
-interface Opened {
-  readonly entries: readonly Entry[];
-  readonly index: number;
-  /** Files that the browser no longer has. */
-  readonly missing: readonly string[];
-  /** How many states of the history it no longer has. */
-  readonly lost: number;
 }
 
 const fileNames = (recipe: Recipe): string[] =>

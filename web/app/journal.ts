@@ -41,11 +41,24 @@ export class Journal {
     return this.#put(header.id, text);
   }
 
-  all(): readonly JournalEntry[] {
+  /** The documents that have an entry. */
+  ids(): readonly string[] {
     const { storage } = this;
     if (!storage) return [];
     const keys = Array.from({ length: storage.length }, (_, i) => storage.key(i) ?? '');
-    return keys.filter((key) => key.startsWith(PREFIX)).flatMap((key) => this.#read(key));
+    return keys.filter((key) => key.startsWith(PREFIX)).map((key) => key.slice(PREFIX.length));
+  }
+
+  /** What is no entry, whatever its name says, is removed. */
+  read(id: string): JournalEntry | undefined {
+    try {
+      const entry = JSON.parse(this.storage?.getItem(PREFIX + id) ?? '') as JournalEntry;
+      if (entry.id === id) return entry;
+    } catch {
+      // Not written by this program.
+    }
+    this.remove(id);
+    return undefined;
   }
 
   remove(id: string): void {
@@ -67,16 +80,5 @@ export class Journal {
     } catch {
       return false; // full, or forbidden since
     }
-  }
-
-  #read(key: string): JournalEntry[] {
-    try {
-      const entry = JSON.parse(this.storage?.getItem(key) ?? '') as JournalEntry;
-      if (PREFIX + entry.id === key) return [entry];
-    } catch {
-      // Not written by this program, whatever its name says.
-    }
-    this.storage?.removeItem(key);
-    return [];
   }
 }
