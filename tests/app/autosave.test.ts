@@ -1,5 +1,6 @@
 import { expect, test } from 'vitest';
 import { MOST_RESTORE_POINTS } from '../../web/app/autosave';
+import { type StoredDocument, selectionOf } from '../../web/app/store';
 import { Browser, Tab } from './world';
 
 async function edited(tab = new Tab()): Promise<Tab> {
@@ -118,4 +119,23 @@ test('a store that refuses is said once, and tried again with the next edit', as
   tab.deform.setMethod('implicit');
   await tab.app.autosave.flush();
   expect(tab.app.state.saved.value.kind).toBe('saved');
+});
+
+test('a document kept by an earlier version comes back with its selection', async () => {
+  const tab = await edited();
+  tab.app.document.select(0);
+  await tab.app.autosave.flush();
+  const { kept } = tab.browser.store;
+  const [[id, document]] = [...kept] as [[string, StoredDocument]];
+  // As it was written before any step had items: every selection was of a handle.
+  const entries = document.entries.map(({ selection, ...entry }) => ({
+    ...entry,
+    selection: { step: selection.step, handle: selectionOf(selection).item },
+  }));
+  kept.set(id, { ...document, entries });
+  const later = tab.reloaded();
+  expect(await later.app.autosave.restoreLast()).toBe(true);
+  expect(later.app.document.selection).toEqual({ step: 'deform 1', item: 0 });
+  later.app.document.undo();
+  expect(later.app.document.selection.step).toBe('deform 1');
 });

@@ -143,16 +143,22 @@ export class MemoryStore implements DocumentStore {
   readonly blobs = new Map<string, Uint8Array>();
   /** Blobs written so far, to see that unchanged ones are not written again. */
   written = 0;
+  /** Refuses to write. */
   broken = false;
+  /** Refuses everything. */
+  silent = false;
 
-  documents = async () => [...this.kept.values()];
+  documents = async () => {
+    if (this.silent) throw new Error('no answer');
+    return [...this.kept.values()];
+  };
   document = async (id: string) => this.kept.get(id);
   blob = async (hash: string) => this.blobs.get(hash);
-  missing = async (hashes: Iterable<string>) => [...new Set(hashes)].filter((hash) => !this.blobs.has(hash));
   async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
-    if (this.broken) throw new Error('the disk is full');
-    for (const [hash, bytes] of blobs) this.blobs.set(hash, bytes);
-    this.written += blobs.size;
+    if (this.broken || this.silent) throw new Error('the disk is full');
+    const missing = [...blobs].filter(([hash]) => !this.blobs.has(hash));
+    for (const [hash, bytes] of missing) this.blobs.set(hash, bytes);
+    this.written += missing.length;
     this.kept.set(document.id, structuredClone(document));
   }
   async remove(ids: readonly string[]): Promise<void> {
@@ -164,8 +170,17 @@ export class MemoryStore implements DocumentStore {
 
 export class MemoryStorage {
   readonly #items = new Map<string, string>();
+  full = false;
   getItem = (key: string) => this.#items.get(key) ?? null;
-  setItem = (key: string, value: string) => void this.#items.set(key, value);
+  setItem = (key: string, value: string) => {
+    if (this.full) throw new DOMException('full', 'QuotaExceededError');
+    this.#items.set(key, value);
+  };
+  removeItem = (key: string) => void this.#items.delete(key);
+  key = (index: number) => [...this.#items.keys()][index] ?? null;
+  get length(): number {
+    return this.#items.size;
+  }
 }
 
 /** One browser: what several tabs share. */
@@ -184,6 +199,8 @@ export class Tab {
   readonly copied: string[] = [];
   readonly app: BuiltApp;
   reloads = 0;
+  /** Tells the app that another tab has a document, too. */
+  lose: (id: string) => void = () => {};
 
   constructor(
     readonly browser = new Browser(),
@@ -202,6 +219,9 @@ export class Tab {
           return owner === this;
         },
         release: (id) => void browser.claimed.delete(id),
+        onLost: (listener) => {
+          this.lose = listener;
+        },
       },
       dialogs: {
         open: async () => [file('cube.obj', CUBE_OBJ)],

@@ -50,7 +50,11 @@ function count(): void {
   }
   const { postMessage } = Worker.prototype;
   const makers = new Map<Worker, Set<number>>();
-  Worker.prototype.postMessage = function (this: Worker, message: { id?: number; method?: string }, ...rest) {
+  Worker.prototype.postMessage = function (
+    this: Worker,
+    message: { id?: number; method?: string },
+    transfer: Transferable[],
+  ) {
     if (!makers.has(this)) {
       const asked = new Set<number>();
       makers.set(this, asked);
@@ -61,7 +65,7 @@ function count(): void {
     }
     if (message.method && /^(open|prepare)/.test(message.method)) makers.get(this)!.add(message.id!);
     if (message.method === 'release') counts.held--;
-    return postMessage.call(this, message, ...(rest as []));
+    return postMessage.call(this, message, { transfer });
   } as typeof postMessage;
 }
 
@@ -81,8 +85,7 @@ test('a hundred changes of workspace leave nothing behind', async ({ page }) => 
         }, id);
     await desk.settled();
   };
-  const counts = () =>
-    page.evaluate(() => ({ ...(window as unknown as { __counts: Counts }).__counts }));
+  const counts = () => page.evaluate(() => ({ ...(window as unknown as { __counts: Counts }).__counts }));
   // A head with hair and a deform step before it; every wing and every chunk has been there once.
   await page.evaluate(async () => {
     const { app } = window.__lissom;

@@ -44,8 +44,8 @@ export interface World {
   readonly store: DocumentStore;
   readonly claims: Claims;
   readonly dialogs: FileDialogs;
-  /** Settings that last; `null` where the browser forbids it. */
-  readonly storage: Pick<Storage, 'getItem' | 'setItem'> | null;
+  /** Settings and the journal, which last; `null` where the browser forbids it. */
+  readonly storage: Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'> | null;
   /** Of this tab, lasting over reloads. */
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
   readonly galleryBase: string;
@@ -198,6 +198,7 @@ export function buildApp(world: World): BuiltApp {
       for (const stop of stops) stop();
       for (const wing of wings.loaded.peek().values()) wing.dispose?.();
       evaluator.dispose();
+      autosave.dispose();
     },
   };
 }

@@ -45,7 +45,12 @@ export function HelpDialog({ onClose }: { onClose: () => void }) {
           </section>
         ))}
       </div>
-      <p class="muted">{t('ui.help.version', { version: __VERSION__ })}</p>
+      <p class="muted">
+        {t('ui.help.version', { version: __VERSION__ })} ·{' '}
+        <a href="licences.txt" target="_blank" rel="noreferrer">
+          {t('ui.help.licences')}
+        </a>
+      </p>
     </Dialog>
   );
 }
