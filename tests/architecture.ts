@@ -72,3 +72,21 @@ const roomOf = (file: string): string => file.match(/^wasm\/(?:include\/lissom|s
 
 export const includesOf = (source: string): string[] =>
   [...source.matchAll(/^\s*#\s*include\s*["<]([^">]+)[">]/gm)].map((match) => match[1] ?? '');
+
+/**
+ * A header is proved by a test of its own stem that includes it.
+ * @param testIncludes what each test includes, by its path from the root
+ * @returns one sentence per header without one
+ */
+export function headerBreaches(
+  headers: readonly string[],
+  testIncludes: ReadonlyMap<string, readonly string[]>,
+): string[] {
+  return headers.flatMap((header) => {
+    const name = header.replace(/^wasm\/include\//, '');
+    const test = name.replace(/^lissom\/(.*)\.h$/, 'tests/wasm/$1_test.cpp');
+    const includes = testIncludes.get(test);
+    if (!includes) return [`${header} has no ${test}`];
+    return includes.includes(name) ? [] : [`${test} does not include ${name}`];
+  });
+}

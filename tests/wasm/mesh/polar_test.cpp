@@ -1,4 +1,4 @@
-#include "lissom/deform/polar.h"
+#include "lissom/mesh/polar.h"
 
 #include <doctest/doctest.h>
 

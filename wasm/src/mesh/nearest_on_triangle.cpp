@@ -1,4 +1,6 @@
-#include "lissom/hair/head_distance.h"
+#include "lissom/mesh/nearest_on_triangle.h"
+
+#include <Eigen/Geometry>
 
 namespace lissom {
 

@@ -1,4 +1,4 @@
-#include "lissom/hair/grid.h"
+#include "lissom/mesh/grid.h"
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
-#include "lissom/merge/similarity.h"
+#include "lissom/mesh/similarity.h"
 
-#include "lissom/deform/polar.h"
+#include "lissom/mesh/polar.h"
 
 #include <cmath>
 

@@ -1,4 +1,4 @@
-#include "lissom/merge/surface_paths.h"
+#include "lissom/mesh/surface_paths.h"
 
 #include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/topology.h"

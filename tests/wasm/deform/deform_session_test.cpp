@@ -1,7 +1,8 @@
-// Properties that hold exactly, whatever the mesh: ALGORITHMS section 1 (a)–(d), and indifference to units and origin.
+// Properties that hold exactly, whatever the mesh: common maps, rest, numbering, and indifference to units and origin.
+
+#include "lissom/deform/deform_session.h"
 
 #include "handles.h"
-
 #include "lissom/mesh/operators.h"
 
 #include <doctest/doctest.h>
