@@ -42,14 +42,12 @@ export function importsOf(source: string): string[] {
 export const lazyImportsOf = (source: string): string[] =>
   [...source.matchAll(/(?:\bimport\(|new URL\()\s*['"]([^'"]+)['"]/g)].map((match) => match[1] ?? '');
 
-/** What each room may include beside itself. */
+/** What a room may include beside itself, unless it says more below. */
+const ROOM: readonly string[] = ['mesh', 'solve'];
 const ROOMS: Record<string, readonly string[]> = {
   mesh: [],
   solve: ['mesh'],
-  deform: ['mesh', 'solve'],
   merge: ['mesh', 'solve', 'deform'],
-  hair: ['mesh', 'solve'],
-  curve: ['mesh', 'solve'],
   match: ['mesh', 'solve', 'deform'],
 };
 
@@ -62,7 +60,7 @@ export function includeBreaches(file: string, includes: readonly string[]): stri
       const target = name.startsWith('lissom/')
         ? name.split('/')[1]
         : name.startsWith('.') && roomOf(path.posix.join(path.posix.dirname(file), name));
-      return target && target !== room && !ROOMS[room]?.includes(target);
+      return target && target !== room && !(ROOMS[room] ?? ROOM).includes(target);
     })
     .map((name) => `${file} includes ${name}`);
 }

@@ -8,6 +8,7 @@ export const REGISTRIES: readonly string[] = [
   'web/recipe/recipe.ts',
   'web/kernel/contract.ts',
   'web/kernel/handlers/all.ts',
+  'wasm/bindings/kernel.d.ts',
   'web/run/steps/all.ts',
   'web/app/wings.ts',
   'web/app/i18n.ts',
@@ -53,7 +54,7 @@ export function wingBreaches(file: string, imports: readonly string[], wings: re
  * @returns the registries that do not name a wing
  */
 export const forgotten = (wing: string, textOf: (file: string) => string, asksKernel: boolean): string[] =>
-  REGISTRIES.filter((file) => asksKernel || !file.startsWith('web/kernel/')).filter(
+  REGISTRIES.filter((file) => asksKernel || !/^web\/kernel|^wasm/.test(file)).filter(
     (file) => !new RegExp(`\\b${wing}`).test(textOf(file)),
   );
 

@@ -109,7 +109,7 @@ TEST_CASE("two loops cut a belt out, and a piece that no path reaches is kept") 
 }
 
 TEST_CASE("loops that cannot be cut along are refused with what is wrong") {
-    const TriangleMesh tube = tubes::tube(24, 20, tubes::dome), ring = shapes::torus(40, 20), open = shapes::cylinder(20, 12, 3);
+    const TriangleMesh tube = tubes::tube(24, 20, tubes::dome), ring = shapes::torus(40, 20);
     const auto code = [](const TriangleMesh& mesh, const std::vector<BoundaryLoop>& loops) { return refusal([&] { (void)cut(mesh, loops); }); };
     CHECK(code(tube, {{first(20), {}}}) == "none");
     CHECK(code(tube, {{{0, 1, 9999}, {}}}) == "vertex-out-of-range");
@@ -120,7 +120,6 @@ TEST_CASE("loops that cannot be cut along are refused with what is wrong") {
     CHECK(code(tube, {{{0, 5, 10}, {}}}) == "loop-not-connected");
     CHECK(code(ring, {{first(20), {}}}) == "loop-not-separating"); // a meridian of the torus
     CHECK(code(tube, {{{40, 41, 61, 60}, {}}}) == "none");          // a quad of the side, cut out
-    CHECK(code(open, {{{0, 1, 21, 20}, {}}}) == "loop-touches-boundary");
     const Ball ball;
     std::vector<int> both = within(ball.mesh, 0.5, 2), low = within(ball.mesh, -2, 0.2);
     both.insert(both.end(), low.begin(), low.end());

@@ -102,7 +102,7 @@ export class AppHairHost implements HairHost, ScalpHost {
     const { step } = this;
     const count = (evaluator.result.peek()?.shown.model.positions.length ?? 0) / 3;
     if (!step) return;
-    const painted = { ...step, scalp: fromIndices(scalp, count) as NonNullable<HairStep['scalp']> };
+    const painted = { ...step, scalp: fromIndices(scalp, count) };
     document.commit(t(`history.hair.${verb}-scalp`), replaceStep(document.recipe, painted));
   }
 

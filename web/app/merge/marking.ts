@@ -11,7 +11,7 @@ import type { Aids } from './aids';
 import type { MergeEdits } from './edits';
 import { type Meeting, meetingOf } from './meeting';
 import type { MergeState } from './state';
-import { isReady, MARKS, markOf, type OptimalBoundary, sideOfMark, withBoundaries, withMark } from './steps';
+import { isReady, MARKS, markOf, sideOfMark, withBoundaries, withMark } from './steps';
 
 export class Marking {
   constructor(
@@ -27,10 +27,7 @@ export class Marking {
     if (!step || count === 0) return;
     // Rough marks come in several strokes: they are merged when the button says so.
     if (step.boundaries.length > 0 || !isReady(step)) this.own.hold(step.id);
-    this.edits.commit(
-      label,
-      withMark(step, mark, fromIndices(vertices, count) as OptimalBoundary['feature']),
-    );
+    this.edits.commit(label, withMark(step, mark, fromIndices(vertices, count)));
   }
 
   clearMark(mark: Mark): void {
@@ -103,9 +100,7 @@ export class Marking {
       const known = markOf(step, mark, count);
       const vertices = found.marks[mark];
       const isSame = known.length === vertices.length && known.every((v, i) => v === vertices[i]);
-      return isSame
-        ? marked
-        : withMark(marked, mark, fromIndices(vertices, count) as OptimalBoundary['feature']);
+      return isSame ? marked : withMark(marked, mark, fromIndices(vertices, count));
     }, step);
     if (next !== step) this.edits.commit(t('history.merge.find'), next);
   }

@@ -130,7 +130,7 @@ export class MergeShape {
     );
     const limit = share * this.#loopLength(step, 'source');
     const near = Uint32Array.from(off.keys()).filter((v) => off[v]! <= limit);
-    return fromIndices(near, off.length) as MergeStep['roi'];
+    return fromIndices(near, off.length);
   }
 
   /** Of the part. */
