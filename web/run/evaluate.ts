@@ -7,13 +7,14 @@ import { faceCount, type Model, vertexCount } from '../core/model';
 import type { KernelPort, Measured, RegionMaps } from '../kernel/contract';
 import { referencesOf } from '../recipe/cross-checks';
 import { stepById } from '../recipe/edit';
+import { pathText } from '../recipe/problem';
 import type { MergeStep, Recipe, Step } from '../recipe/recipe';
 import { modelPlace, type Plan, plan, stepPlace } from './plan';
 import { KernelSession } from './session';
 import { runnerOf } from './steps/all';
 import { type HairField, hairField } from './steps/hair';
 import { paintedRegions } from './steps/merge';
-import type { StepOutcome } from './steps/step-runner';
+import type { InputShape, StepOutcome } from './steps/step-runner';
 import { type ModelResult, type ModelSource, placed, type StepResult } from './types';
 
 export interface RunOptions {
@@ -149,7 +150,13 @@ export class Runner {
       const context = { inputs, kernel: this.#session, settle, signal, onProgress };
       const place = stepPlace(index, step);
       const key = this.#resultKey(step, inputs, settle);
-      const outcome = await placed(place, () => this.#outcome(key, () => runnerOf(step).run(step, context)));
+      const outcome = await placed(place, () =>
+        this.#outcome(key, async () => {
+          // A plan cannot check what follows a merge: only now are its vertices counted.
+          runnerOf(step).check(step, pathText(['steps', index]), shapesOf(step, inputs));
+          return runnerOf(step).run(step, context);
+        }),
+      );
       if (measure && at === steps.length - 1 && sameVertices(outcome.model, inputs[0]!.model))
         await this.#measure(outcome, inputs[0]!, signal);
       stages.set(step.id, { model: outcome.model, key, place });
@@ -222,6 +229,9 @@ export class Runner {
 
 const bytesOf = ({ model, strands }: Cached): number =>
   model.positions.byteLength + (strands?.points.byteLength ?? 0) + 1;
+
+const shapesOf = (step: Step, inputs: readonly ModelResult[]): InputShape[] =>
+  referencesOf(step).map(({ name }, at) => ({ name, vertices: vertexCount(inputs[at]!.model) }));
 
 /** What a step made anew cannot be measured against what came in. */
 const sameVertices = (a: Model, b: Model): boolean => a.positions.length === b.positions.length;

@@ -7,7 +7,7 @@ import { toIndices } from '../../core/vertex-set';
 import type { PaintedRegions } from '../../kernel/contract';
 import type { MergeStep } from '../../recipe/recipe';
 import { mergedModel } from '../merged-model';
-import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
 import type { StepRunner } from './step-runner';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
@@ -56,6 +56,11 @@ export const mergeRunner: StepRunner<MergeStep> = {
     checkVertices(step.roi, `${path}.roi`, source);
     for (const [at, { vertices }] of step.handles.entries())
       checkVertices(vertices, `${path}.handles[${at}].vertices`, source);
+    checkApart(
+      step.handles.map(({ vertices }) => vertices),
+      `${path}.handles`,
+      source,
+    );
   },
 
   vertexCount: () => undefined,
