@@ -17,7 +17,7 @@ export function spent<T>(what: string, call: () => T): Spent<T> {
   const kept = ARRAYS.map((name) => [name, whole[name]!] as const);
   for (const [name, array] of kept)
     whole[name] = new Proxy(array, {
-      construct(target, args: ConstructorParameters<typeof Float64Array>, newTarget) {
+      construct(target, args: readonly unknown[], newTarget) {
         if (typeof args[0] === 'number') made += args[0];
         return Reflect.construct(target, args, newTarget === whole[name] ? target : newTarget);
       },
