@@ -2,7 +2,8 @@
 // everything else about a recipe (link, file, undo, command line) is derived from these.
 
 import * as v from 'valibot';
-import { fileName, list, oneOf, stepId } from './schema-parts';
+import { MAX_STEPS } from './limits';
+import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
 import { mergeStep } from './steps/merge';
@@ -33,7 +34,11 @@ const modelRef = v.union(
 
 const output = v.strictObject({
   step: stepId,
-  file: v.pipe(fileName, v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders')),
+  file: v.pipe(
+    fileName,
+    v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders'),
+    v.maxBytes(255, 'a file name of at most 255 bytes'),
+  ),
 });
 
 /** One line per step type: the registry of this floor. */
@@ -42,8 +47,8 @@ export const stepSchema = v.variant('type', [deformStep, mergeStep, hairStep]);
 export const recipeSchema = v.strictObject({
   lissom: v.literal(RECIPE_VERSION),
   models: v.record(name, modelRef),
-  steps: list(stepSchema),
-  outputs: v.optional(list(output), []),
+  steps: listUpTo(MAX_STEPS, stepSchema),
+  outputs: v.optional(listUpTo(MAX_STEPS, output), []),
 });
 
 export type Recipe = v.InferOutput<typeof recipeSchema>;

@@ -9,6 +9,7 @@ import { toIndices, type VertexSet } from '../../core/vertex-set';
 import type { FieldVectors, HairOptions, HairStyle, OpenedHair } from '../../kernel/contract';
 import type { HairStep } from '../../recipe/recipe';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { checkReach } from './hair/reach';
 import type { StepContext, StepRunner } from './step-runner';
 
 /** Strands that follow a stroke while it is being drawn: the first of all of them. */
@@ -81,6 +82,7 @@ export const hairRunner: StepRunner<HairStep> = {
 /** The head ready for hair, with the step's style. */
 async function styleHead(step: HairStep, { inputs, kernel, signal: stop, onProgress }: StepContext) {
   const input = inputs[0]!;
+  checkReach(step, input.model);
   const signal = stop ? { signal: stop } : {};
   const scalp = scalpOf(step, input.model);
   const { resolution } = step.grid;
