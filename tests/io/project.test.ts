@@ -79,6 +79,8 @@ test('more bytes or files than allowed are refused, whatever is declared', () =>
   directory += 46 + 'recipe.json'.length;
   view.setUint32(directory + 24, 500, true);
   expect(codeOf(() => readProject(packed, limits))).toBe('zip-damaged');
-  view.setUint32(directory + 24, 4e8, true);
+  view.setUint32(directory + 24, 2e7, true);
   expect(codeOf(() => readProject(packed))).toBe('zip-damaged');
+  view.setUint32(directory + 24, 4e8, true);
+  expect(codeOf(() => readProject(packed))).toBe('zip-too-large');
 });

@@ -2,6 +2,7 @@
 
 import fc from 'fast-check';
 import { IDENTITY } from '../../web/core/affine';
+import { MAX_COORDINATE } from '../../web/recipe/limits';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
 
@@ -17,7 +18,9 @@ export const anyNumber = fc.oneof(
   fc.constantFrom(-0, Number.MAX_VALUE, Number.MIN_VALUE, Number.MAX_SAFE_INTEGER, 2 ** 60, 1e-7, 0.1 + 0.2),
 );
 
-const point = fc.tuple(anyNumber, anyNumber, anyNumber);
+/** As far out as a recipe's coordinates go. */
+const coordinate = anyNumber.map((n) => (Math.abs(n) > MAX_COORDINATE ? n % MAX_COORDINATE : n));
+const point = fc.tuple(coordinate, coordinate, coordinate);
 const index = fc.oneof(fc.nat(5000), fc.nat(Number.MAX_SAFE_INTEGER));
 
 const matrix = fc.tuple(point, point, point, point).map((columns) => {

@@ -5,7 +5,7 @@ import { readModel, readProject } from '../io/index';
 import { LOOSE_ENDINGS, looseKind } from '../io/loose';
 import { isPng } from '../io/png-text';
 import type { ReadResult } from '../io/reading';
-import { parseRecipe } from '../recipe/parse';
+import { isReserved, parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
 import type { MessageService, WingService } from './api';
 import type { Desk } from './desk';
@@ -110,9 +110,11 @@ const hasEnding = (name: string, endings: readonly string[]): boolean =>
 const stem = (name: string): string => name.replace(/^.*[/\\]/, '').replace(/(.)\.[^.]*$/, '$1');
 
 /** A name a recipe takes (letters, digits, space . _ -), as near to the file's as may be. */
-const modelName = (file: string): string =>
-  stem(file)
+function modelName(file: string): string {
+  const name = stem(file)
     .replace(/[^\p{L}\p{N} ._-]+/gu, ' ')
     .trim()
     .replace(/^[^\p{L}\p{N}]+/u, '')
-    .slice(0, 64) || 'model';
+    .slice(0, 64);
+  return name === '' || isReserved(name) ? `${name} model`.trim() : name;
+}

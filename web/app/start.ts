@@ -1,8 +1,9 @@
 // What the page shows first: a link's recipe, else the work of last time, else the first picture.
 
-import { decodeLink, hasLink } from '../recipe/link/link';
+import { hasLink } from '../recipe/link/link';
 import type { BuiltApp } from './app';
 import { t } from './i18n';
+import { readLink } from './read-link';
 
 /** The recipe of the very first picture: two handles already placed. */
 const FIRST = { file: 'recipes/first.json', title: 'dinosaur' };
@@ -21,7 +22,7 @@ export async function start(app: BuiltApp, address: string): Promise<void> {
 /** @returns whether it could be opened; if not, why is said and everything is as before */
 export async function openLink(app: BuiltApp, link: string): Promise<boolean> {
   try {
-    const recipe = decodeLink(link);
+    const recipe = await readLink(link);
     const title = Object.values(recipe.models).map((ref) => ('builtin' in ref ? ref.builtin : ref.file))[0];
     await app.desk.open({ recipe, title: title ?? '', link });
     return true;

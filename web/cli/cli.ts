@@ -22,13 +22,20 @@ import { readable, writeAll } from './files';
 import { FolderModels } from './models';
 import { Progress } from './progress';
 import { reportOf } from './report';
+import { stopAfter } from './stop';
 import type { Streams } from './streams';
 import { type Command, commandOf, USAGE } from './usage';
 
 /** What a command needs beside its arguments; tests bring their own. */
 export interface Surroundings {
-  readonly kernel?: () => Promise<KernelPort>;
+  /** A kernel for one run; one that has to be ended by hand is. */
+  readonly kernel?: () => Promise<KernelPort & { dispose?(): void }>;
+  /** Calls back when the user wants a run to end; returns what forgets it. */
+  readonly onInterrupt?: (stop: () => void) => () => void;
 }
+
+/** Longest message, in characters: names and lists in it are anybody's. */
+const LONGEST = 2000;
 
 /** Only `run` needs the solver; the other commands do not wait for it. */
 const realKernel = async (): Promise<KernelPort> => (await import('../kernel/node')).loadKernel();
@@ -37,18 +44,26 @@ const realKernel = async (): Promise<KernelPort> => (await import('../kernel/nod
 export async function cli(
   argv: readonly string[],
   streams: Streams,
-  { kernel = realKernel }: Surroundings = {},
+  surroundings: Surroundings = {},
 ): Promise<number> {
   try {
-    await obey(commandOf(argv), streams, kernel);
+    await obey(commandOf(argv), streams, surroundings);
     return 0;
   } catch (error) {
-    streams.stderr.write(`error: ${oneLine(described(error))}\n`);
-    return error instanceof LissomError && error.fault === 'input' ? 2 : 1;
+    streams.stderr.write(`error: ${cutShort(oneLine(described(error)))}\n`);
+    return isInputsFault(error) ? 2 : 1;
   }
 }
 
-async function obey(command: Command, streams: Streams, kernel: () => Promise<KernelPort>): Promise<void> {
+/** Numbers that could not be solved are the recipe's and the models'. */
+const isInputsFault = (error: unknown): boolean =>
+  error instanceof LissomError && (error.fault === 'input' || error.fault === 'solver');
+
+/** Never in the middle of a character. */
+const cutShort = (text: string): string =>
+  text.length <= LONGEST ? text : `${text.slice(0, LONGEST - 1).replace(/[\uD800-\uDBFF]$/, '')}…`;
+
+async function obey(command: Command, streams: Streams, surroundings: Surroundings): Promise<void> {
   const print = (text: string) => streams.stdout.write(text);
   switch (command.name) {
     case 'help':
@@ -56,9 +71,9 @@ async function obey(command: Command, streams: Streams, kernel: () => Promise<Ke
     case 'version':
       return void print(`${version}\n`);
     case 'run':
-      return run(command, streams, kernel);
+      return run(command, streams, surroundings);
     case 'check':
-      return check(command.recipe, streams);
+      return check(command, streams);
     case 'link':
       return void print(`${encodeLink(await recipeIn(command.recipe), command.app)}\n`);
     case 'unlink':
@@ -67,30 +82,41 @@ async function obey(command: Command, streams: Streams, kernel: () => Promise<Ke
 }
 
 async function run(
-  { recipe: file, out, report }: Extract<Command, { name: 'run' }>,
+  { recipe: file, out, report, timeout, allowOutside }: Extract<Command, { name: 'run' }>,
   { stderr }: Streams,
-  kernel: () => Promise<KernelPort>,
+  { kernel = realKernel, onInterrupt = () => () => {} }: Surroundings,
 ): Promise<void> {
-  const recipe = await recipeIn(file);
-  const models = new FolderModels(path.dirname(file));
+  const stop = stopAfter(timeout, onInterrupt);
   const progress = new Progress(stderr);
+  let solver: Awaited<ReturnType<typeof kernel>> | undefined;
   try {
-    const runner = new Runner({ kernel: await kernel(), models });
-    const results = await runner.run(recipe, {
+    const recipe = await recipeIn(file);
+    const models = new FolderModels(path.dirname(file), { allowOutside });
+    solver = await kernel();
+    const results = await new Runner({ kernel: solver, models }).run(recipe, {
+      signal: stop.signal,
       onProgress: (fraction, step) => progress.update(fraction, step),
     });
     const files = outputsOf(recipe, results, out);
     if (report !== undefined) files.set(path.resolve(report), reportOf(recipe, results, models.notes));
+    stop.check();
     await writeAll(files);
     progress.done(results);
+  } catch (error) {
+    throw stop.reason(error);
   } finally {
+    stop.release();
+    solver?.dispose?.();
     progress.clear();
   }
 }
 
-async function check(file: string, { stderr }: Streams): Promise<void> {
+async function check(
+  { recipe: file, allowOutside }: Extract<Command, { name: 'check' }>,
+  { stderr }: Streams,
+): Promise<void> {
   const recipe = await recipeIn(file);
-  await plan(recipe, new FolderModels(path.dirname(file)));
+  await plan(recipe, new FolderModels(path.dirname(file), { allowOutside }));
   const count = (n: number, what: string) => `${n} ${what}${n === 1 ? '' : 's'}`;
   if (stderr.isTTY)
     stderr.write(
@@ -99,7 +125,7 @@ async function check(file: string, { stderr }: Streams): Promise<void> {
 }
 
 async function recipeIn(file: string): Promise<Recipe> {
-  return parseRecipe(new TextDecoder().decode(await readable('recipe-not-found', file)));
+  return parseRecipe(new TextDecoder().decode(await readable('recipe-not-found', file, 'recipe')));
 }
 
 function outputsOf(

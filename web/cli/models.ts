@@ -1,7 +1,7 @@
 // Models of a recipe on disk: files beside it, built-in ones from the gallery.
 
 import { existsSync } from 'node:fs';
-import { readFile } from 'node:fs/promises';
+import { readFile, realpath } from 'node:fs/promises';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { LissomError } from '../core/errors';
@@ -20,9 +20,13 @@ export class FolderModels implements ModelSource {
   readonly notes = new Map<string, readonly ImportNote[]>();
   readonly #read = new Map<string, Promise<Model>>();
 
-  /** @param folder  where the recipe is */
+  /**
+   * @param folder  where the recipe is
+   * @param rights  whether its models may lie anywhere else: a recipe is anybody's, and what it names is read and shown
+   */
   constructor(
     private readonly folder: string,
+    private readonly rights: { readonly allowOutside: boolean } = { allowOutside: false },
     private readonly gallery = GALLERIES.map((place) => new URL(place, import.meta.url)).find((url) =>
       existsSync(url),
     ),
@@ -38,10 +42,28 @@ export class FolderModels implements ModelSource {
   }
 
   async #load(name: string, ref: ModelRef): Promise<Model> {
-    const file = 'file' in ref ? path.resolve(this.folder, ref.file) : await this.#builtin(ref.builtin);
-    const { model, notes } = readModel(await readable('model-not-found', file), file);
+    const file = 'file' in ref ? await this.#beside(ref.file) : await this.#builtin(ref.builtin);
+    const { model, notes } = readModel(await readable('model-not-found', file, 'mesh'), file);
     this.notes.set(name, notes);
     return 'file' in ref ? model : { ...model, name: ref.builtin };
+  }
+
+  /** Links are followed before it is asked where a file lies. */
+  async #beside(name: string): Promise<string> {
+    const file = path.resolve(this.folder, name);
+    if (this.rights.allowOutside) return file;
+    const folder = await realpath(this.folder).catch(() => path.resolve(this.folder));
+    const place = await realpath(file).catch(() => undefined);
+    const inside = (from: string, to: string) => {
+      const way = path.relative(from, to);
+      return way !== '' && way.split(path.sep)[0] !== '..' && !path.isAbsolute(way);
+    };
+    // What is not there is asked about by its name only, so that nobody learns what lies elsewhere.
+    if (place === undefined ? inside(path.resolve(this.folder), file) : inside(folder, place)) return file;
+    throw new LissomError(
+      'model-outside',
+      `${name} lies outside the recipe's folder; move it beside the recipe, or allow it with --allow-outside.`,
+    );
   }
 
   async #builtin(name: string): Promise<string> {

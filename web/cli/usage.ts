@@ -4,13 +4,17 @@ import { LissomError } from '../core/errors';
 /** Where `npm start` serves the app: what a link leads to unless told otherwise. */
 const APP = 'http://localhost:5173/';
 
+/** In seconds: what a timer of Node can count to. */
+const LONGEST_TIMEOUT = 2_000_000;
+
 export const USAGE = `Reshape 3D models by recipe. Units: model units and degrees; indices start at 0.
 
 Usage
-  lissom run <recipe.json> [--out <folder>] [--report <report.json>]
+  lissom run <recipe.json> [--out <folder>] [--report <report.json>] [--timeout <seconds>] [--allow-outside]
       Runs the recipe and writes its outputs into the folder (here by default), in the format of each
-      file's extension; PLY in double precision. Models are looked for beside the recipe.
-  lissom check <recipe.json>
+      file's extension; PLY in double precision. Models are looked for beside the recipe; elsewhere only
+      with --allow-outside. Ctrl-C or the timeout end a run, and nothing is written.
+  lissom check <recipe.json> [--allow-outside]
       Checks the recipe, that its models can be read and that its indices fit them.
   lissom link <recipe.json> [--app <address>]
       Prints the link that opens the recipe in the app at an address (${APP}).
@@ -32,15 +36,18 @@ export type Command =
       readonly recipe: string;
       readonly out: string;
       readonly report: string | undefined;
+      /** In seconds. */
+      readonly timeout: number | undefined;
+      readonly allowOutside: boolean;
     }
-  | { readonly name: 'check'; readonly recipe: string }
+  | { readonly name: 'check'; readonly recipe: string; readonly allowOutside: boolean }
   | { readonly name: 'link'; readonly recipe: string; readonly app: string }
   | { readonly name: 'unlink'; readonly link: string };
 
 /** The options each command takes beside --help. */
 const OPTIONS: Readonly<Record<string, readonly string[]>> = {
-  run: ['out', 'report'],
-  check: [],
+  run: ['out', 'report', 'timeout', 'allow-outside'],
+  check: ['allow-outside'],
   link: ['app'],
   unlink: [],
 };
@@ -58,9 +65,21 @@ export function commandOf(argv: readonly string[]): Command {
   if (subject === undefined) throw usage(`${name} needs ${name === 'unlink' ? 'a link' : 'a recipe file'}`);
   if (rest.length > 0)
     throw usage(`${name} takes one ${name === 'unlink' ? 'link' : 'recipe'}, not also ${rest[0]}`);
-  if (name === 'run') return { name, recipe: subject, out: values.out ?? '.', report: values.report };
   if (name === 'link') return { name, recipe: subject, app: values.app ?? APP };
-  return name === 'check' ? { name, recipe: subject } : { name: 'unlink', link: subject };
+  if (name === 'unlink') return { name, link: subject };
+  const allowOutside = values['allow-outside'] ?? false;
+  if (name === 'check') return { name, recipe: subject, allowOutside };
+  const { out = '.', report, timeout } = values;
+  return { name: 'run', recipe: subject, out, report, timeout: secondsOf(timeout), allowOutside };
+}
+
+function secondsOf(text: string | undefined): number | undefined {
+  if (text === undefined) return undefined;
+  const seconds = Number(text);
+  // The clock that is asked for a longer time rings at once.
+  if (!(seconds > 0 && seconds <= LONGEST_TIMEOUT))
+    throw usage(`--timeout takes seconds above 0, at most ${LONGEST_TIMEOUT}, not ${JSON.stringify(text)}`);
+  return seconds;
 }
 
 function parsed(argv: readonly string[]) {
@@ -73,6 +92,8 @@ function parsed(argv: readonly string[]) {
         version: { type: 'boolean' },
         out: { type: 'string' },
         report: { type: 'string' },
+        timeout: { type: 'string' },
+        'allow-outside': { type: 'boolean' },
         app: { type: 'string' },
       },
     });

@@ -8,15 +8,19 @@ export type VertexSet =
 /** A set of its own, as a recipe takes it. */
 export type OwnVertexSet = 'all' | number[] | { ranges: [number, number][] };
 
-/** The indices of a set over `count` vertices, ascending and without repeats. Does not check the range. */
+/**
+ * The indices of a set over `count` vertices, ascending and without repeats. What lies beyond them is left out: whether
+ * a set fits its model is for `firstOutside` to say. Takes memory for `count` indices at most, whatever is written.
+ */
 export function toIndices(set: VertexSet, count: number): Uint32Array {
   if (set === 'all') return Uint32Array.from({ length: count }, (_, i) => i);
-  if ('ranges' in set) {
-    const out: number[] = [];
-    for (const [first, last] of set.ranges) for (let i = first; i <= last; i++) out.push(i);
-    return unique(out);
-  }
-  return unique(set);
+  return 'ranges' in set ? fromRanges(set.ranges, count) : unique(set.filter((i) => i < count));
+}
+
+/** How many vertices of `count` a set names, counted without making a list of them. */
+export function sizeOf(set: VertexSet, count: number): number {
+  if (set === 'all') return count;
+  return 'ranges' in set ? total(merged(set.ranges, count)) : toIndices(set, count).length;
 }
 
 /** The shortest recipe form of a set of indices (any order, repeats allowed) over `count` vertices. */
@@ -39,6 +43,34 @@ export function firstOutside(set: VertexSet, count: number): number | undefined 
   return set.find((i) => i >= count);
 }
 
+type Ranges = Extract<VertexSet, { ranges: unknown }>['ranges'];
+
+function fromRanges(ranges: Ranges, count: number): Uint32Array {
+  const parts = merged(ranges, count);
+  const out = new Uint32Array(total(parts));
+  let at = 0;
+  for (const [first, last] of parts) for (let i = first; i <= last; i++) out[at++] = i;
+  return out;
+}
+
+/** Ascending ranges below `count` that neither overlap nor touch: twenty thousand times the same range is one. */
+function merged(ranges: Ranges, count: number): [number, number][] {
+  const out: [number, number][] = [];
+  for (const [first, end] of [...ranges].sort((a, b) => a[0] - b[0])) {
+    const last = Math.min(end, count - 1);
+    if (first > last) continue;
+    const before = out.at(-1);
+    if (before && first <= before[1] + 1) before[1] = Math.max(before[1], last);
+    else out.push([first, last]);
+  }
+  return out;
+}
+
+const total = (ranges: Ranges): number => ranges.reduce((sum, [first, last]) => sum + last - first + 1, 0);
+
 function unique(indices: readonly number[]): Uint32Array {
-  return Uint32Array.from(new Set(indices)).sort();
+  const sorted = Uint32Array.from(indices).sort();
+  let kept = 0;
+  for (const i of sorted) if (kept === 0 || sorted[kept - 1] !== i) sorted[kept++] = i;
+  return sorted.slice(0, kept);
 }

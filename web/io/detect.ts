@@ -64,7 +64,9 @@ export function detectFormat(bytes: Uint8Array, fileName: string): FileFormat {
 /** The format a file name promises. */
 export function formatOfName(fileName: string): FileFormat | undefined {
   const extension = /\.([^.]+)$/.exec(fileName)?.[1]?.toLowerCase();
-  return extension !== undefined && extension in FORMAT_NAMES ? (extension as FileFormat) : undefined;
+  return extension !== undefined && Object.hasOwn(FORMAT_NAMES, extension)
+    ? (extension as FileFormat)
+    : undefined;
 }
 
 /** A binary STL holds 50 bytes a facet after its count: the sum must come out, whatever the header says. */

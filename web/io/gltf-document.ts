@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import { LissomError } from '../core/errors';
 import { type GltfJson, gltfSchema } from './gltf-schema';
+import { nestsDeeper } from './json-depth';
 import { truncated } from './reading';
 import { decode } from './text-scanner';
 
@@ -9,10 +10,14 @@ export interface GltfDocument {
   readonly file: string;
   readonly json: GltfJson;
   readonly buffers: readonly (Uint8Array | undefined)[];
+  /** Of the file it came from, in bytes. */
+  readonly size: number;
 }
 
 const JSON_CHUNK = 0x4e4f534a;
 const BIN_CHUNK = 0x004e4942;
+/** Lists and objects in one another: glTF's own lie nine deep, what programs add to it seldom deeper. */
+const DEEPEST = 200;
 
 /** @throws LissomError `file-truncated`, `file-damaged`, `format-unsupported` */
 export function openGlb(bytes: Uint8Array, file: string): GltfDocument {
@@ -37,12 +42,12 @@ export function openGlb(bytes: Uint8Array, file: string): GltfDocument {
     at = end;
   }
   if (!json) throw gltfDamaged(file, 'it has no JSON part');
-  return openJson(json, file, binary);
+  return openJson(json, file, bytes.length, binary);
 }
 
 /** @throws LissomError `file-damaged`, `format-unsupported` */
 export function openGltf(bytes: Uint8Array, file: string): GltfDocument {
-  return openJson(bytes, file, undefined);
+  return openJson(bytes, file, bytes.length, undefined);
 }
 
 export function gltfDamaged(file: string, what: string): LissomError {
@@ -58,7 +63,14 @@ export function entry<T>(doc: GltfDocument, list: readonly T[] | undefined, inde
   return found;
 }
 
-function openJson(bytes: Uint8Array, file: string, binary: Uint8Array | undefined): GltfDocument {
+function openJson(
+  bytes: Uint8Array,
+  file: string,
+  size: number,
+  binary: Uint8Array | undefined,
+): GltfDocument {
+  if (nestsDeeper(bytes, DEEPEST))
+    throw gltfDamaged(file, `its JSON part is nested more than ${DEEPEST} deep`);
   let json: GltfJson;
   try {
     json = JSON.parse(decode(bytes)) as GltfJson;
@@ -71,7 +83,7 @@ function openJson(bytes: Uint8Array, file: string, binary: Uint8Array | undefine
       `${file} is not glTF version 2, the only one that can be read. Export it again as glTF 2.0.`,
     );
   const { issues } = v.safeParse(gltfSchema, json);
-  if (issues) throw gltfDamaged(file, `${v.getDotPath(issues[0]) ?? 'it'}: ${issues[0].message}`);
+  if (issues) throw gltfDamaged(file, `“${v.getDotPath(issues[0]) ?? 'asset'}” is not what glTF has there`);
   // Views compressed with meshopt may have no other content even where the file does not insist on unpacking.
   const meshopt = (json.extensionsUsed ?? []).filter((e) => /meshopt_compression/i.test(e));
   refuseCompressed([...(json.extensionsRequired ?? []), ...meshopt], file);
@@ -79,7 +91,7 @@ function openJson(bytes: Uint8Array, file: string, binary: Uint8Array | undefine
     if (uri === undefined) return i === 0 ? binary : undefined;
     return uri.startsWith('data:') ? fromDataUri(uri, file) : undefined;
   });
-  return { file, json, buffers };
+  return { file, json, buffers, size };
 }
 
 /** Compressed geometry cannot be unpacked here; the sentence says which, and what to do. */

@@ -2,6 +2,7 @@ import type { Affine } from '../core/affine';
 import { LissomError } from '../core/errors';
 import type { FaceGroup, Model } from '../core/model';
 import { determinant, transformPoints } from './affine';
+import { Budget } from './budget';
 import { COMPONENTS, readAccessor, U8 } from './gltf-accessors';
 import { entry, type GltfDocument, openGlb, openGltf, refuseCompressed } from './gltf-document';
 import { type Placement, placements } from './gltf-scene';
@@ -43,6 +44,12 @@ interface ReadPart {
 
 const TRIANGLES = 4;
 const FAN = 6;
+/** Bytes that a primitive takes each time it is shown, beside its numbers: its run of vertices, its group. */
+const SHOWN = 400;
+/** Bytes of a coordinate twice more: it is moved to its place, then put with the others. */
+const PLACED = 16;
+/** Bytes of a vertex at the least: three coordinates, read and placed. */
+const VERTEX = 3 * (8 + PLACED);
 
 /**
  * glTF 2.0: all meshes of the scene in one model, in metres and with y up, their nodes' transforms applied. A group
@@ -50,12 +57,15 @@ const FAN = 6;
  *
  * @param binary  whether the file is a .glb container
  * @throws LissomError `file-not-a-mesh`, `file-incomplete`, `file-truncated`, `file-damaged`, `count-too-large`,
- *                     `format-unsupported`
+ *                     `format-unsupported`, `file-too-large`, `file-unfolds-too-far`
  */
 export function readGltf(bytes: Uint8Array, name: string, binary: boolean): ReadResult {
+  const budget = new Budget('gltf', name, bytes.length);
   const document = binary ? openGlb(bytes, name) : openGltf(bytes, name);
-  const reader = new GltfReader(document);
-  for (const placement of placements(document)) reader.read(placement);
+  const reader = new GltfReader(document, budget);
+  const shown = placements(document, budget);
+  reader.expect(shown);
+  for (const placement of shown) reader.read(placement);
   const model = reader.model(name, binary ? 'glb' : 'gltf');
   return { model, notes: reader.notes.list() };
 }
@@ -64,10 +74,38 @@ class GltfReader {
   readonly notes = new Notes();
   #parts: (GltfPart & ReadPart)[] = [];
   #vertices = 0;
-  #faceVertices = new GrowingUint32();
+  readonly #faceVertices: GrowingUint32;
   #groups: FaceGroup[] = [];
 
-  constructor(readonly document: GltfDocument) {}
+  constructor(
+    readonly document: GltfDocument,
+    private readonly budget: Budget,
+  ) {
+    this.#faceVertices = new GrowingUint32(budget);
+  }
+
+  /** Counts the coordinates of all that is shown before the first is read. */
+  expect(shown: readonly Placement[]): void {
+    const { size, json } = this.document;
+    const { accessors, meshes } = json;
+    // A count that the file cannot hold is a lie of its own, told as such once it is met.
+    const countOf = (accessor: number) => Math.min(accessors?.[accessor]?.count ?? 0, size);
+    const costs = new Map<number, number>();
+    const costOf = (index: number): number => {
+      const { primitives } = entry(this.document, meshes, index, 'mesh');
+      const positions = new Set(primitives.map(({ attributes }) => attributes.POSITION));
+      let cost = SHOWN * primitives.length;
+      for (const at of positions) if (at !== undefined) cost += VERTEX * countOf(at);
+      return cost;
+    };
+    let sum = 0;
+    for (const { mesh } of shown) {
+      const cost = costs.get(mesh) ?? costOf(mesh);
+      costs.set(mesh, cost);
+      sum += cost;
+    }
+    this.budget.expect(sum);
+  }
 
   read(placement: Placement): void {
     const mesh = entry(this.document, this.document.json.meshes, placement.mesh, 'mesh');
@@ -81,6 +119,7 @@ class GltfReader {
       this.notes.add('instances-left-out', 'Repeated instances of a mesh are shown once.');
     const local = new Map<string, GltfPart & ReadPart>();
     mesh.primitives.forEach((primitive, index) => {
+      this.budget.take(SHOWN);
       const mode = primitive.mode ?? TRIANGLES;
       if (mode < TRIANGLES || mode > FAN || primitive.attributes?.POSITION === undefined) {
         this.notes.add('lines-left-out', 'Lines and single points were left out: only faces are used.');
@@ -152,7 +191,9 @@ class GltfReader {
         this.document.json.meshes![mesh]!.primitives.flatMap((p) => Object.keys(p.extensions ?? {})),
         this.document.file,
       );
-    const positions = transformPoints(matrix, this.#attribute(attributes.POSITION!, ['VEC3'])!);
+    const local = this.#attribute(attributes.POSITION!, ['VEC3']);
+    this.budget.take(PLACED * local.length);
+    const positions = transformPoints(matrix, local);
     const count = positions.length / 3;
     const optional = (name: string, types: string[]) => {
       const accessor = attributes[name];
@@ -163,7 +204,7 @@ class GltfReader {
     const sets = new Map<string, Float64Array>();
     for (const [name, accessor] of Object.entries(attributes))
       if (name.startsWith('_') && this.#isSet(accessor, count))
-        sets.set(name.slice(1), readAccessor(this.document, accessor));
+        sets.set(name.slice(1), readAccessor(this.document, accessor, this.budget));
     const part = {
       node,
       mesh,
@@ -182,12 +223,14 @@ class GltfReader {
     return part;
   }
 
-  #attribute(index: number, types: readonly string[]): Float64Array | undefined {
+  #attribute(index: number, types: readonly string[]): Float64Array {
     const { type } = entry(this.document, this.document.json.accessors, index, 'accessor');
-    const values = readAccessor(this.document, index);
-    return types.includes(type)
-      ? values
-      : new Float64Array((values.length / COMPONENTS[type]!) * COMPONENTS[types[0]!]!);
+    const values = readAccessor(this.document, index, this.budget);
+    if (types.includes(type)) return values;
+    const components = COMPONENTS.get(types[0]!)!;
+    const count = values.length / COMPONENTS.get(type)!;
+    this.budget.take(8 * count * components);
+    return new Float64Array(count * components);
   }
 
   #isSet(index: number, count: number): boolean {
@@ -201,11 +244,11 @@ class GltfReader {
   }
 
   #faces({ indices }: GltfPrimitive, { first, count, matrix }: GltfPart, mode: number): void {
-    const corners = indices === undefined ? undefined : readAccessor(this.document, indices);
+    const corners = indices === undefined ? undefined : readAccessor(this.document, indices, this.budget);
     const total = corners?.length ?? count;
     const at = (i: number) => {
       const index = corners ? corners[i]! : i;
-      return index < count ? first + index : NO_INDEX;
+      return index >= 0 && index < count && Number.isInteger(index) ? first + index : NO_INDEX;
     };
     // A mirroring node turns the faces over (glTF 2.0, section 3.7.4).
     const mirrored = determinant(matrix) < 0;

@@ -1,5 +1,6 @@
 import type { Model } from '../core/model';
 import { determinant, invert, transformPoints } from './affine';
+import { Budget } from './budget';
 import { ByteWriter } from './byte-writer';
 import { firstEqualRow } from './equal-rows';
 import { F32, readAccessor } from './gltf-accessors';
@@ -26,13 +27,16 @@ class Rewriter {
   readonly #fresh = new Map<number, Uint8Array>();
   readonly #viewUses = new Map<number, number>();
   readonly #accessorUses = new Map<number, number>();
+  readonly #budget: Budget;
 
   constructor(
     readonly model: Model,
     readonly extra: GltfExtra,
     moved: readonly GltfPart[],
   ) {
-    this.#json = structuredClone(extra.document.json);
+    const { json, file, size } = extra.document;
+    this.#json = structuredClone(json);
+    this.#budget = new Budget('gltf', file, size);
     this.#unshareMeshes(moved);
     this.#countUses();
   }
@@ -137,7 +141,7 @@ class Rewriter {
   /** Undefined where the file has none that can be read: a fault there must not stand in the way of an export. */
   #oldNormals(accessor: number | undefined): Float64Array | undefined {
     try {
-      return accessor === undefined ? undefined : readAccessor(this.extra.document, accessor);
+      return accessor === undefined ? undefined : readAccessor(this.extra.document, accessor, this.#budget);
     } catch {
       return undefined;
     }

@@ -1,7 +1,8 @@
 import { type Affine, IDENTITY } from '../core/affine';
 import { compose, multiply } from './affine';
+import type { Budget } from './budget';
 import { readAccessor } from './gltf-accessors';
-import { entry, type GltfDocument } from './gltf-document';
+import { entry, type GltfDocument, gltfDamaged } from './gltf-document';
 import type { GltfNode } from './gltf-schema';
 
 /** A mesh where a node of the scene puts it. */
@@ -13,7 +14,7 @@ export interface Placement {
 }
 
 /** Every mesh of the default scene, in the order of its tree; of all root nodes where there is no scene. */
-export function placements(doc: GltfDocument): Placement[] {
+export function placements(doc: GltfDocument, budget: Budget): Placement[] {
   const nodes = doc.json.nodes ?? [];
   const world = new Map<number, Affine>();
   const order: number[] = [];
@@ -25,6 +26,8 @@ export function placements(doc: GltfDocument): Placement[] {
     if (world.has(next.node)) continue;
     const node = entry(doc, nodes, next.node, 'node');
     const matrix = multiply(next.parent, localMatrix(node));
+    if (!matrix.every(Number.isFinite))
+      throw gltfDamaged(doc.file, `node ${next.node} is moved or scaled beyond what numbers can hold`);
     world.set(next.node, matrix);
     order.push(next.node);
     for (const child of [...(node.children ?? [])].reverse()) open.push({ node: child, parent: matrix });
@@ -33,7 +36,11 @@ export function placements(doc: GltfDocument): Placement[] {
     const { mesh, skin } = nodes[index]!;
     if (mesh === undefined) return [];
     return [
-      { node: index, mesh, matrix: skin === undefined ? world.get(index)! : bindMatrix(doc, skin, world) },
+      {
+        node: index,
+        mesh,
+        matrix: skin === undefined ? world.get(index)! : bindMatrix(doc, skin, world, budget),
+      },
     ];
   });
 }
@@ -50,10 +57,15 @@ function localMatrix({ matrix, translation, rotation, scale }: GltfNode): Affine
 }
 
 /** Skinned vertices ignore their node; in the pose they were bound in, every joint moves them alike. */
-function bindMatrix(doc: GltfDocument, index: number, world: ReadonlyMap<number, Affine>): Affine {
+function bindMatrix(
+  doc: GltfDocument,
+  index: number,
+  world: ReadonlyMap<number, Affine>,
+  budget: Budget,
+): Affine {
   const { joints, inverseBindMatrices } = entry(doc, doc.json.skins, index, 'skin');
   const joint = world.get(joints[0]!) ?? IDENTITY;
   if (inverseBindMatrices === undefined) return joint;
-  const inverse = [...readAccessor(doc, inverseBindMatrices).subarray(0, 16)];
+  const inverse = [...readAccessor(doc, inverseBindMatrices, budget).subarray(0, 16)];
   return inverse.length === 16 ? multiply(joint, inverse) : joint;
 }

@@ -1,11 +1,18 @@
-// Typed arrays that grow, for readers that learn the length at the end.
+// Typed arrays that grow, for readers that learn the length at the end. Each growth is asked of the file's budget first.
+
+import type { Budget } from './budget';
+
+const FIRST = 1024;
 
 export class GrowingFloat64 {
-  #values = new Float64Array(1024);
+  #values = new Float64Array(FIRST);
   length = 0;
+
+  constructor(private readonly budget?: Budget) {}
 
   push(value: number): void {
     if (this.length === this.#values.length) {
+      this.budget?.take(this.#values.byteLength);
       const larger = new Float64Array(2 * this.length);
       larger.set(this.#values);
       this.#values = larger;
@@ -18,11 +25,14 @@ export class GrowingFloat64 {
 }
 
 export class GrowingUint32 {
-  #values = new Uint32Array(1024);
+  #values = new Uint32Array(FIRST);
   length = 0;
+
+  constructor(private readonly budget?: Budget) {}
 
   push(value: number): void {
     if (this.length === this.#values.length) {
+      this.budget?.take(this.#values.byteLength);
       const larger = new Uint32Array(2 * this.length);
       larger.set(this.#values);
       this.#values = larger;

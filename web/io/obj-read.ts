@@ -1,5 +1,6 @@
 import { LissomError } from '../core/errors';
 import type { FaceGroup, Model } from '../core/model';
+import { Budget } from './budget';
 import { GrowingFloat64, GrowingUint32 } from './growing';
 import { Notes } from './notes';
 import { NO_INDEX, type ReadResult } from './reading';
@@ -16,6 +17,8 @@ export interface ObjExtra {
 const LOWER_V = 118;
 const LOWER_F = 102;
 const HASH = 35;
+/** Bytes that a line takes which is kept as it is, beside its text: a record, its place in a list. */
+const KEPT_LINE = 80;
 
 /**
  * Wavefront OBJ: polygons, texture coordinates per corner, `v x y z r g b` colours, groups and materials by name.
@@ -23,10 +26,10 @@ const HASH = 35;
  * Normals are left out (they change with the shape), lines and points too. A coordinate that is no number
  * becomes NaN and an index that names no vertex stays one, for the kernel to report.
  *
- * @throws LissomError `file-not-a-mesh` without a single vertex
+ * @throws LissomError `file-not-a-mesh` without a single vertex; `file-too-large`, `file-unfolds-too-far`
  */
 export function readObj(bytes: Uint8Array, name: string): ReadResult {
-  const reader = new ObjReader(bytes);
+  const reader = new ObjReader(bytes, new Budget('mesh', name, bytes.length));
   reader.read();
   return { model: reader.model(name), notes: reader.notes.list() };
 }
@@ -34,21 +37,29 @@ export function readObj(bytes: Uint8Array, name: string): ReadResult {
 class ObjReader {
   readonly notes = new Notes();
   readonly #text: TextScanner;
-  #positions = new GrowingFloat64();
-  #colors = new GrowingFloat64();
+  readonly #budget: Budget;
+  readonly #positions: GrowingFloat64;
+  readonly #colors: GrowingFloat64;
   #colorAlpha = false;
-  #uvs = new GrowingFloat64();
-  #faceOffsets = new GrowingUint32();
-  #faceVertices = new GrowingUint32();
-  #uvIndices = new GrowingUint32();
+  readonly #uvs: GrowingFloat64;
+  readonly #faceOffsets: GrowingUint32;
+  readonly #faceVertices: GrowingUint32;
+  readonly #uvIndices: GrowingUint32;
   #hasUvIndices = false;
   #comments: string[] = [];
   #statements: { face: number; text: string }[] = [];
   #groups = new GroupRuns();
   #numbers = new Float64Array(8);
 
-  constructor(bytes: Uint8Array) {
+  constructor(bytes: Uint8Array, budget: Budget) {
     this.#text = new TextScanner(bytes, 0, true);
+    this.#budget = budget;
+    this.#positions = new GrowingFloat64(budget);
+    this.#colors = new GrowingFloat64(budget);
+    this.#uvs = new GrowingFloat64(budget);
+    this.#faceOffsets = new GrowingUint32(budget);
+    this.#faceVertices = new GrowingUint32(budget);
+    this.#uvIndices = new GrowingUint32(budget);
     this.#faceOffsets.push(0);
   }
 
@@ -141,6 +152,7 @@ class ObjReader {
 
   #comment(): void {
     if (this.#positions.length > 0) return;
+    this.#budget.take(KEPT_LINE);
     this.#comments.push(this.#text.restOfLine().replace(/^#+ ?/, ''));
   }
 
@@ -162,6 +174,7 @@ class ObjReader {
       case 'usemtl':
       case 's':
       case 'mtllib': {
+        this.#budget.take(KEPT_LINE);
         const value = text.restOfLine();
         this.#statements.push({ face: this.#faces, text: `${keyword} ${value}`.trimEnd() });
         if (keyword === 'o' || keyword === 'g' || keyword === 'usemtl')

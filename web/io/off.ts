@@ -1,4 +1,5 @@
 import { LissomError } from '../core/errors';
+import { Budget } from './budget';
 import { GrowingUint32 } from './growing';
 import { Notes } from './notes';
 import { checkAnnounced, NO_INDEX, type ReadResult, truncated } from './reading';
@@ -7,9 +8,11 @@ import { TextScanner } from './text-scanner';
 /**
  * OFF as text: vertices and polygons; colours, normals and texture coordinates are left out.
  *
- * @throws LissomError `file-truncated`, `count-too-large`, `format-unsupported` for the binary kind
+ * @throws LissomError `file-truncated`, `count-too-large`, `file-not-a-mesh`, `file-too-large`, `format-unsupported` for the
+ *                     binary kind
  */
 export function readOff(bytes: Uint8Array, name: string): ReadResult {
+  const budget = new Budget('mesh', name, bytes.length);
   const notes = new Notes();
   const text = new TextScanner(bytes);
   const toWord = () => {
@@ -33,6 +36,11 @@ export function readOff(bytes: Uint8Array, name: string): ReadResult {
   const [vertices, faces] = [whole(next()), whole(next())];
   next();
   checkAnnounced(name, `${vertices} vertices and ${faces} faces`, 6 * vertices + 2 * faces, bytes.length);
+  if (vertices === 0) {
+    const message = `${name} announces no vertices, so it holds no model. Open another file.`;
+    throw new LissomError('file-not-a-mesh', message);
+  }
+  budget.take(24 * vertices);
   const positions = new Float64Array(3 * vertices);
   let extras = false;
   for (let v = 0; v < vertices; v++) {
@@ -40,11 +48,11 @@ export function readOff(bytes: Uint8Array, name: string): ReadResult {
     if (!text.atLineEnd() && text.bytes[text.at] !== 35) extras = true;
     text.nextLine();
   }
-  const offsets = new GrowingUint32();
-  const corners = new GrowingUint32();
+  const offsets = new GrowingUint32(budget);
+  const corners = new GrowingUint32(budget);
   offsets.push(0);
   for (let f = 0; f < faces; f++) {
-    const size = next();
+    const size = whole(next());
     const first = corners.length;
     for (let i = 0; i < size; i++) corners.push(toIndex(next()));
     if (size >= 3) offsets.push(corners.length);

@@ -1,5 +1,6 @@
 import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
+import type { Budget } from './budget';
 import { GrowingFloat64, GrowingUint32 } from './growing';
 import type { Notes } from './notes';
 import type { PlyElement, PlyType } from './ply-header';
@@ -17,16 +18,21 @@ type PerFace = Pick<Model, 'faceOffsets' | 'faceVertices' | 'uvs' | 'uvIndices'>
 
 /** Gathers the faces of a PLY: polygons with their corners' texture coordinates, or triangle strips. */
 export class PlyFaces {
-  #offsets = new GrowingUint32();
-  #vertices = new GrowingUint32();
-  #uvs = new GrowingFloat64();
-  #uvIndices = new GrowingUint32();
+  readonly #offsets: GrowingUint32;
+  readonly #vertices: GrowingUint32;
+  readonly #uvs: GrowingFloat64;
+  readonly #uvIndices: GrowingUint32;
   #columns: PlyColumn[] = [];
 
   constructor(
     readonly file: string,
     readonly notes: Notes,
+    private readonly budget: Budget,
   ) {
+    this.#offsets = new GrowingUint32(budget);
+    this.#vertices = new GrowingUint32(budget);
+    this.#uvs = new GrowingFloat64(budget);
+    this.#uvIndices = new GrowingUint32(budget);
     this.#offsets.push(0);
   }
 
@@ -37,6 +43,7 @@ export class PlyFaces {
   read(values: PlyValues, { count, properties }: PlyElement): void {
     const columns = new Map<string, PlyColumn>();
     const before = this.count;
+    this.budget.take(8 * count * properties.filter(({ countType }) => !countType).length);
     for (const { name, type, countType } of properties)
       if (!countType) columns.set(name, { name, type, values: new Float64Array(count) });
     const corners: number[] = [];

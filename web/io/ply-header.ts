@@ -36,23 +36,24 @@ export const PLY_BYTES: Readonly<Record<PlyType, number>> = {
   double: 8,
 };
 
-const TYPES: Readonly<Record<string, PlyType>> = {
-  ...(Object.fromEntries(Object.keys(PLY_BYTES).map((t) => [t, t])) as Record<PlyType, PlyType>),
-  int8: 'char',
-  uint8: 'uchar',
-  int16: 'short',
-  uint16: 'ushort',
-  int32: 'int',
-  uint32: 'uint',
-  float32: 'float',
-  float64: 'double',
-};
+// Maps, not objects: a file may well say “constructor”, which every object has.
+const TYPES = new Map<string, PlyType>([
+  ...(Object.keys(PLY_BYTES) as PlyType[]).map((type) => [type, type] as const),
+  ['int8', 'char'],
+  ['uint8', 'uchar'],
+  ['int16', 'short'],
+  ['uint16', 'ushort'],
+  ['int32', 'int'],
+  ['uint32', 'uint'],
+  ['float32', 'float'],
+  ['float64', 'double'],
+]);
 
-const ENCODINGS: Readonly<Record<string, PlyHeader['encoding']>> = {
-  ascii: 'ascii',
-  binary_little_endian: 'little',
-  binary_big_endian: 'big',
-};
+const ENCODINGS = new Map<string, PlyHeader['encoding']>([
+  ['ascii', 'ascii'],
+  ['binary_little_endian', 'little'],
+  ['binary_big_endian', 'big'],
+]);
 
 /** A header longer than this is none. */
 const LONGEST = 1 << 20;
@@ -72,7 +73,7 @@ export function readPlyHeader(bytes: Uint8Array, file: string): PlyHeader {
     const fail = () => damaged(file, line, text);
     switch (keyword) {
       case 'format':
-        encoding = ENCODINGS[words[0] ?? ''];
+        encoding = ENCODINGS.get(words[0] ?? '');
         if (!encoding) throw fail();
         break;
       case 'comment':
@@ -106,11 +107,11 @@ export function readPlyHeader(bytes: Uint8Array, file: string): PlyHeader {
 
 function readProperty(words: readonly string[]): PlyProperty | undefined {
   if (words[0] === 'list') {
-    const countType = TYPES[words[1] ?? ''];
-    const type = TYPES[words[2] ?? ''];
+    const countType = TYPES.get(words[1] ?? '');
+    const type = TYPES.get(words[2] ?? '');
     return countType && type && words[3] ? { name: words[3], type, countType } : undefined;
   }
-  const type = TYPES[words[0] ?? ''];
+  const type = TYPES.get(words[0] ?? '');
   return type && words[1] ? { name: words[1], type } : undefined;
 }
 

@@ -1,5 +1,6 @@
 import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
+import { Budget } from './budget';
 import { Notes } from './notes';
 import { namesVertices, PlyFaces } from './ply-faces';
 import { PLY_BYTES, type PlyElement, type PlyHeader, readPlyHeader } from './ply-header';
@@ -22,18 +23,23 @@ export interface PlyExtra {
  * Stanford PLY, ascii or binary of either byte order: polygons or triangle strips, colours, texture coordinates
  * per vertex or per corner, vertex sets (`property uchar scalp` of zeros and ones).
  *
- * @throws LissomError `file-truncated`, `file-damaged`, `count-too-large`, `file-not-a-mesh`
+ * @throws LissomError `file-truncated`, `file-damaged`, `count-too-large`, `file-not-a-mesh`, `file-too-large`,
+ *                     `file-unfolds-too-far`
  */
 export function readPly(bytes: Uint8Array, name: string): ReadResult {
+  const budget = new Budget('mesh', name, bytes.length);
   const header = readPlyHeader(bytes, name);
   checkCounts(header, bytes.length, name);
   const values = plyValues(bytes, header, name);
   const notes = new Notes();
-  const faces = new PlyFaces(name, notes);
+  const faces = new PlyFaces(name, notes, budget);
   let vertices: ReturnType<typeof readVertices> | undefined;
   for (const element of header.elements) {
-    if (element.name === 'vertex' && !vertices) vertices = readVertices(values, element, name);
-    else if (element.name === 'face' && namesVertices(element)) faces.read(values, element);
+    if (element.name === 'vertex' && !vertices) {
+      // Each value as a double; what is no coordinate is kept in a column of its own.
+      budget.take(8 * element.count * element.properties.length);
+      vertices = readVertices(values, element, name);
+    } else if (element.name === 'face' && namesVertices(element)) faces.read(values, element);
     else if (element.name === 'tristrips' && namesVertices(element)) faces.readStrips(values, element);
     else {
       skip(values, element);
@@ -61,7 +67,10 @@ export function readPly(bytes: Uint8Array, name: string): ReadResult {
   return { model, notes: notes.list() };
 }
 
-const PLURALS: Readonly<Record<string, string>> = { vertex: 'vertices', face: 'faces' };
+const PLURALS = new Map([
+  ['vertex', 'vertices'],
+  ['face', 'faces'],
+]);
 
 /** Everything announced must fit in the file: its least size is known before a row is read. */
 function checkCounts(header: PlyHeader, length: number, name: string): void {
@@ -77,7 +86,7 @@ function checkCounts(header: PlyHeader, length: number, name: string): void {
     needed += count * row;
     checkAnnounced(
       name,
-      `${count} ${PLURALS[what] ?? `entries of “${what}”`}`,
+      `${count} ${PLURALS.get(what) ?? `entries of “${what}”`}`,
       needed - (header.encoding === 'ascii' ? 1 : 0),
       present,
     );

@@ -74,13 +74,15 @@ export function readVertices(
   };
   readRows(values, count, properties.map(sink));
 
-  const sets = loose.filter(isVertexSet);
+  const sets = new Set(loose.filter(isVertexSet));
   return {
     positions,
     ...(colors && { colors: new Uint8Array(colors.buffer), colorAlpha }),
     ...(uvs && { uvs }),
-    ...(sets.length > 0 && { vertexSets: Object.fromEntries(sets.map((c) => [c.name, members(c.values)])) }),
-    columns: loose.filter((column) => !sets.includes(column)),
+    ...(sets.size > 0 && {
+      vertexSets: Object.fromEntries([...sets].map((c) => [c.name, members(c.values)])),
+    }),
+    columns: loose.filter((column) => !sets.has(column)),
     normals: properties.some((p) => p.name === 'nx'),
   };
 }

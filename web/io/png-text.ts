@@ -2,6 +2,7 @@
 
 import { crc32 } from '../core/crc32';
 import { LissomError } from '../core/errors';
+import { checkSize } from './budget';
 
 const SIGNATURE = [137, 80, 78, 71, 13, 10, 26, 10];
 /** Length, type and check of a chunk. */
@@ -32,9 +33,10 @@ export function withPngText(png: Uint8Array, keyword: string, text: string): Uin
 /**
  * @param file  name for messages
  * @returns the text under a keyword; `undefined` where the picture has none
- * @throws LissomError `picture-damaged`: not a PNG, cut short, or its text altered
+ * @throws LissomError `picture-damaged`: not a PNG, cut short, or its text altered; `file-too-large`
  */
 export function pngText(png: Uint8Array, file: string, keyword: string): string | undefined {
+  checkSize('picture', file, png.length);
   const chunk = chunksOf(png, file).find((each) => keywordOf(each) === keyword);
   if (!chunk) return undefined;
   const { whole, data } = chunk;

@@ -1,5 +1,6 @@
 import { zipSync } from 'fflate';
 import { LissomError } from '../core/errors';
+import { allowance, checkSize } from './budget';
 import { checkName, readZip, type ZipLimits } from './zip';
 
 /** A recipe with the meshes it names beside it: what a project file holds. */
@@ -10,7 +11,7 @@ export interface Project {
 }
 
 const RECIPE = 'recipe.json';
-const LIMITS: ZipLimits = { bytes: 1e9, files: 1000 };
+const MOST_FILES = 1000;
 /** Zip's earliest date, so that equal projects are equal files. */
 const DATE = new Date(1980, 0, 1);
 /** What operating systems add to archives they pack. */
@@ -25,11 +26,9 @@ export function writeProject({ recipeJson, files }: Project): Uint8Array {
   const entries: [string, Uint8Array][] = [[RECIPE, new TextEncoder().encode(recipeJson)]];
   for (const [name, content] of files) {
     checkName(name);
-    if (name === RECIPE)
-      throw new LissomError(
-        'zip-unsafe-name',
-        `A model cannot be called “${RECIPE}” in a project. Rename it.`,
-      );
+    // The packer keeps names as fields of an object, where that one is none.
+    if (name === RECIPE || name.split('/').includes('__proto__'))
+      throw new LissomError('zip-unsafe-name', `A model cannot be called “${name}” in a project. Rename it.`);
     entries.push([name, content]);
   }
   return zipSync(Object.fromEntries(entries), { mtime: DATE });
@@ -38,9 +37,10 @@ export function writeProject({ recipeJson, files }: Project): Uint8Array {
 /**
  * What `writeProject` packed, also where another program packed it again, with one folder around everything.
  *
- * @throws LissomError `project-without-recipe`, `zip-damaged`, `zip-too-large`, `zip-unsafe-name`, `file-empty`
+ * @throws LissomError `project-without-recipe`, `zip-damaged`, `zip-too-large`, `zip-unsafe-name`, `file-empty`,
+ *                     `file-too-large`
  */
-export function readProject(bytes: Uint8Array, limits: ZipLimits = LIMITS): Project {
+export function readProject(bytes: Uint8Array, limits: ZipLimits = limitsOf(bytes.length)): Project {
   const all = [...readZip(bytes, limits)].filter(([name]) => !CLUTTER.test(name));
   const folder = commonFolder(all.map(([name]) => name));
   const files = new Map(all.map(([name, content]) => [name.slice(folder.length), content]));
@@ -51,6 +51,13 @@ export function readProject(bytes: Uint8Array, limits: ZipLimits = LIMITS): Proj
   }
   files.delete(RECIPE);
   return { recipeJson: new TextDecoder().decode(recipe), files };
+}
+
+function limitsOf(size: number): ZipLimits {
+  checkSize('project', 'The archive', size);
+  const recipe = allowance('recipe', Number.POSITIVE_INFINITY);
+  const bytesOf = (name: string) => (name.replace(/^.*\//, '') === RECIPE ? recipe : undefined);
+  return { bytes: allowance('project', size), files: MOST_FILES, bytesOf };
 }
 
 function commonFolder([first = '', ...others]: readonly string[]): string {

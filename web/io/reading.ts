@@ -1,5 +1,6 @@
 import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
+import { inBytes } from './budget';
 import type { ImportNote } from './notes';
 
 export interface ReadResult {
@@ -39,14 +40,4 @@ export function checkAnnounced(file: string, what: string, needed: number, prese
 export function nothingToWrite({ name }: Model, format: string): LissomError {
   const message = `${name} has no face with finite corners, and ${format} holds nothing else. Export it as PLY or OBJ.`;
   return new LissomError('nothing-to-export', message);
-}
-
-function inBytes(count: number): string {
-  for (const [unit, size] of [
-    ['GB', 1e9],
-    ['MB', 1e6],
-    ['kB', 1e3],
-  ] as const)
-    if (count >= 10 * size) return `${Math.round(count / size)} ${unit}`;
-  return `${count} bytes`;
 }

@@ -1,5 +1,6 @@
 import { LissomError } from '../core/errors';
 import type { FaceGroup, Model } from '../core/model';
+import { Budget } from './budget';
 import { ByteWriter } from './byte-writer';
 import { isBinaryStl } from './detect';
 import { groupRuns } from './group-runs';
@@ -18,25 +19,29 @@ export interface StlExtra {
 
 const HEADER = 80;
 const FACET = 50;
+/** Bytes that the corners and the place of a facet take once it is read. */
+const INDICES = 16;
 
 /**
  * STL, binary or ascii: three vertices of its own for every facet, as in the file. Facet normals and the colour
  * bits some programs hide in a facet's last two bytes are left out.
  *
- * @throws LissomError `file-truncated`, `count-too-large`, `file-not-a-mesh`
+ * @throws LissomError `file-truncated`, `count-too-large`, `file-not-a-mesh`, `file-too-large`
  */
 export function readStl(bytes: Uint8Array, name: string): ReadResult {
+  const budget = new Budget('mesh', name, bytes.length);
   const text =
     !isBinaryStl(bytes) && new TextDecoder().decode(bytes.subarray(0, 512)).trimStart().startsWith('solid');
-  return text ? readAscii(bytes, name) : readBinary(bytes, name);
+  return text ? readAscii(bytes, name, budget) : readBinary(bytes, name, budget);
 }
 
-function readBinary(bytes: Uint8Array, name: string): ReadResult {
+function readBinary(bytes: Uint8Array, name: string, budget: Budget): ReadResult {
   const notes = new Notes();
   if (bytes.length < HEADER + 4) checkAnnounced(name, 'an STL header', HEADER + 4, bytes.length);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const count = view.getUint32(HEADER, true);
   checkAnnounced(name, `${count} facets`, count * FACET, bytes.length - HEADER - 4);
+  budget.take((72 + INDICES) * count);
   const positions = new Float64Array(9 * count);
   for (let f = 0; f < count; f++)
     for (let k = 0; k < 9; k++)
@@ -46,46 +51,52 @@ function readBinary(bytes: Uint8Array, name: string): ReadResult {
 
 const headerComments = (bytes: Uint8Array): string[] => decode(bytes, 0, HEADER).trimEnd().split('; ');
 
-function readAscii(bytes: Uint8Array, name: string): ReadResult {
+function readAscii(bytes: Uint8Array, name: string, budget: Budget): ReadResult {
   const notes = new Notes();
   const text = new TextScanner(bytes);
-  const positions = new GrowingFloat64();
+  const positions = new GrowingFloat64(budget);
   const groups: FaceGroup[] = [];
   let group = '';
   let start = 0;
-  let facetStart = 0;
+  /** Where the numbers of the facet under way begin; what belongs to none is left out. */
+  let facetStart: number | undefined;
   let closed = true;
   const close = () => {
     const end = positions.length / 9;
     if (end > start) groups.push({ name: group, start, end });
     start = end;
   };
+  const drop = (where: string) => {
+    if (facetStart === undefined) return;
+    const corners = (positions.length - facetStart) / 3;
+    notes.add('facet-not-a-triangle', `A facet with ${corners} corners instead of 3 was left out.`, where);
+    positions.length = facetStart;
+    facetStart = undefined;
+  };
   for (; text.toNextWord(); text.nextLine()) {
     const where = `line ${text.line}`;
     switch (text.word().toLowerCase()) {
       case 'vertex':
-        for (let k = 0; k < 3; k++) positions.push(text.atLineEnd() ? NaN : text.number());
+        if (facetStart === undefined)
+          notes.add('vertex-without-facet', 'A vertex outside of any facet was left out.', where);
+        else for (let k = 0; k < 3; k++) positions.push(text.atLineEnd() ? NaN : text.number());
         break;
       case 'facet':
+        drop(where);
         facetStart = positions.length;
         break;
-      case 'endfacet': {
-        const corners = (positions.length - facetStart) / 3;
-        if (corners === 3) break;
-        notes.add(
-          'facet-not-a-triangle',
-          `A facet with ${corners} corners instead of 3 was left out.`,
-          where,
-        );
-        positions.length = facetStart;
+      case 'endfacet':
+        if (facetStart !== undefined && positions.length - facetStart === 9) facetStart = undefined;
+        else drop(where);
         break;
-      }
       case 'solid':
+        drop(where);
         close();
         group = text.restOfLine();
         closed = false;
         break;
       case 'endsolid':
+        drop(where);
         closed = true;
     }
   }
@@ -93,6 +104,7 @@ function readAscii(bytes: Uint8Array, name: string): ReadResult {
     const message = `${name} ends at line ${text.line} without “endsolid”. It was cut short: fetch it again.`;
     throw new LissomError('file-truncated', message);
   }
+  drop(`line ${text.line}`);
   close();
   const named = groups.filter((g) => g.name !== '');
   return result(name, positions.finish(), named, notes, [], true);

@@ -1,10 +1,14 @@
 import { Inflate } from 'fflate';
+import { crc32 } from '../core/crc32';
 import { LissomError } from '../core/errors';
+import { inBytes } from './budget';
 
 /** Bytes of all unpacked files together, and their number, beyond which an archive is refused. */
 export interface ZipLimits {
   readonly bytes: number;
   readonly files: number;
+  /** For one file of the archive, where it has a limit of its own. */
+  readonly bytesOf?: (name: string) => number | undefined;
 }
 
 interface ZipEntry {
@@ -22,6 +26,8 @@ const LOCAL = 0x04034b50;
 const CENTRAL = 0x02014b50;
 const END = 0x06054b50;
 const END_SIZE = 22;
+/** Of a local header without its name. */
+const LOCAL_SIZE = 30;
 const LONGEST_COMMENT = 65535;
 const STORED = 0;
 const DEFLATED = 8;
@@ -39,6 +45,8 @@ export function readZip(bytes: Uint8Array, limits: ZipLimits): Map<string, Uint8
   const entries = readDirectory(bytes, limits).filter(({ name }) => !name.endsWith('/'));
   const declared = entries.reduce((sum, { unpacked }) => sum + unpacked, 0);
   if (declared > limits.bytes) throw tooLarge(limits);
+  refuseLarge(entries, limits);
+  refuseShared(entries);
   const files = new Map<string, Uint8Array>();
   for (const entry of entries) {
     checkName(entry.name);
@@ -46,6 +54,27 @@ export function readZip(bytes: Uint8Array, limits: ZipLimits): Map<string, Uint8
     files.set(entry.name, unpack(bytes, entry));
   }
   return files;
+}
+
+function refuseLarge(entries: readonly ZipEntry[], { bytesOf }: ZipLimits): void {
+  for (const { name, unpacked } of entries) {
+    const most = bytesOf?.(name);
+    if (most === undefined || unpacked <= most) continue;
+    const message =
+      `“${name}” in the archive has ${inBytes(unpacked)}; the limit is ${inBytes(most)}. ` +
+      'Nothing that is made here is that large: fetch the archive again from where it was made.';
+    throw new LissomError('zip-too-large', message);
+  }
+}
+
+/** Files that share their bytes unpack to far more than an archive holds: none that is packed by a program has any. */
+function refuseShared(entries: readonly ZipEntry[]): void {
+  const sorted = entries.toSorted((a, b) => a.header - b.header);
+  for (const [at, { name, header, packed }] of sorted.entries()) {
+    const next = sorted[at + 1];
+    if (next && header + LOCAL_SIZE + packed > next.header)
+      throw damaged(`“${name}” and “${next.name}” share their bytes`);
+  }
 }
 
 /** @throws LissomError `zip-unsafe-name` for a name that could lead out of the folder it is unpacked to */
@@ -94,9 +123,9 @@ function findEnd(view: DataView): number {
 function unpack(bytes: Uint8Array, entry: ZipEntry): Uint8Array {
   const { name, method, packed, unpacked, header } = entry;
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
-  if (header + 30 > bytes.length || view.getUint32(header, true) !== LOCAL)
+  if (header + LOCAL_SIZE > bytes.length || view.getUint32(header, true) !== LOCAL)
     throw damaged(`“${name}” is missing`);
-  const start = header + 30 + view.getUint16(header + 26, true) + view.getUint16(header + 28, true);
+  const start = header + LOCAL_SIZE + view.getUint16(header + 26, true) + view.getUint16(header + 28, true);
   if (start + packed > bytes.length) throw damaged(`“${name}” is cut short`);
   const content = bytes.subarray(start, start + packed);
   // A larger ratio than deflate can reach is a lie, and would set memory aside for nothing.
@@ -128,18 +157,6 @@ function inflate(content: Uint8Array, name: string, size: number): Uint8Array {
   return out.subarray(0, length);
 }
 
-const CRC_TABLE = Uint32Array.from({ length: 256 }, (_, byte) => {
-  let c = byte;
-  for (let k = 0; k < 8; k++) c = c & 1 ? 0xedb88320 ^ (c >>> 1) : c >>> 1;
-  return c;
-});
-
-function crc32(bytes: Uint8Array): number {
-  let c = 0xffffffff;
-  for (let i = 0; i < bytes.length; i++) c = CRC_TABLE[(c ^ bytes[i]!) & 255]! ^ (c >>> 8);
-  return ~c >>> 0;
-}
-
 function damaged(what: string): LissomError {
   const message = `The archive cannot be opened: ${what}. Fetch or save it again.`;
   return new LissomError('zip-damaged', message);
@@ -147,7 +164,7 @@ function damaged(what: string): LissomError {
 
 function tooLarge({ bytes, files }: ZipLimits): LissomError {
   const message =
-    `The archive unpacks to more than ${Math.round(bytes / 1e6)} MB or ${files} files, which is refused. ` +
+    `The archive unpacks to more than ${inBytes(bytes)} or ${files} files, which is refused. ` +
     'Unpack it yourself and open the models one by one.';
   return new LissomError('zip-too-large', message);
 }

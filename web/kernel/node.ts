@@ -47,8 +47,13 @@ class NodeKernel implements KernelPort {
  * @throws LissomError `kernel-not-found`
  */
 export async function loadKernel(place?: string | URL): Promise<KernelPort> {
+  return new NodeKernel(await compileKernel(place));
+}
+
+/** As `loadKernel`, for those who make its instances themselves. */
+export async function compileKernel(place?: string | URL): Promise<WebAssembly.Module> {
   const found = place ?? PLACES.map((path) => new URL(path, import.meta.url)).find((url) => existsSync(url));
   if (!found || !existsSync(found))
     throw new LissomError('kernel-not-found', 'kernel.wasm is missing. Build it with: npm run wasm', 'crash');
-  return new NodeKernel(await WebAssembly.compile(new Uint8Array(await readFile(found))));
+  return WebAssembly.compile(new Uint8Array(await readFile(found)));
 }

@@ -2,7 +2,8 @@
 // everything else about a recipe (link, file, undo, command line) is derived from these.
 
 import * as v from 'valibot';
-import { fileName, list, oneOf, stepId } from './schema-parts';
+import { MAX_STEPS } from './limits';
+import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
 import { type StepRow, stepType } from './step-row';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
@@ -34,7 +35,11 @@ const modelRef = v.union(
 
 const output = v.strictObject({
   step: stepId,
-  file: v.pipe(fileName, v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders')),
+  file: v.pipe(
+    fileName,
+    v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders'),
+    v.maxBytes(255, 'a file name of at most 255 bytes'),
+  ),
 });
 
 const stepSchema = v.variant(
@@ -45,8 +50,8 @@ const stepSchema = v.variant(
 export const recipeSchema = v.strictObject({
   lissom: v.literal(RECIPE_VERSION),
   models: v.record(name, modelRef),
-  steps: list(stepSchema),
-  outputs: v.optional(list(output), []),
+  steps: listUpTo(MAX_STEPS, stepSchema),
+  outputs: v.optional(listUpTo(MAX_STEPS, output), []),
 });
 
 export type Recipe = v.InferOutput<typeof recipeSchema>;

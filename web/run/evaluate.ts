@@ -3,16 +3,17 @@
 import { cancelled, LissomError } from '../core/errors';
 import { hashValue } from '../core/hash';
 import { Lru } from '../core/lru';
-import type { Model } from '../core/model';
+import { type Model, vertexCount } from '../core/model';
 import type { KernelPort } from '../kernel/contract';
 import type { Measured } from '../kernel/contract/model';
+import { pathText } from '../recipe/problem';
 import type { Recipe, Step } from '../recipe/recipe';
 import { outputName, producedNames, referencesOf } from '../recipe/references';
 import { modelPlace, type Plan, plan, stepPlace } from './plan';
 import { mainOf, resultOf, type StepResult } from './results';
 import { KernelSession } from './session';
 import { type Answer, capacities, type Question, type QuestionArgs, runnerOf } from './steps/all';
-import type { StepOutcome } from './steps/step-runner';
+import type { InputShape, StepOutcome } from './steps/step-runner';
 import { type ModelResult, type ModelSource, placed } from './types';
 
 export interface RunOptions {
@@ -147,7 +148,13 @@ export class Runner {
       const place = stepPlace(index, step);
       const key = this.#resultKey(step, inputs, settle);
       const runner = runnerOf(step);
-      const outcome = await placed(place, () => this.#outcome(key, () => runner.run(step, context)));
+      const outcome = await placed(place, () =>
+        this.#outcome(key, async () => {
+          // A plan cannot check what follows a step that makes a new surface: only now are its vertices counted.
+          runner.check(step, pathText(['steps', index]), shapesOf(step, inputs));
+          return runner.run(step, context);
+        }),
+      );
       if (measure && at === steps.length - 1) await this.#measure(outcome, mainOf(step, inputs), signal);
       for (const [name, stage] of stagesOf(step, outcome, { key, place })) stages.set(name, stage);
       const finished = runner.finish?.(step, outcome) ?? outcome;
@@ -231,6 +238,9 @@ export class Runner {
 }
 
 const notFound = (message: string): LissomError => new LissomError('step-not-found', message);
+
+const shapesOf = (step: Step, inputs: readonly ModelResult[]): InputShape[] =>
+  referencesOf(step).map(({ name }, at) => ({ name, vertices: vertexCount(inputs[at]!.model) }));
 
 function inputNames(recipe: Recipe, id: string): readonly string[] {
   const step = recipe.steps.find((each) => each.id === id);

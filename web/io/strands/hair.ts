@@ -1,5 +1,6 @@
 import { LissomError } from '../../core/errors';
 import type { Groom } from '../../core/strands';
+import { Budget } from '../budget';
 import { ByteWriter } from '../byte-writer';
 import { checkAnnounced } from '../reading';
 import { toSrgb } from '../srgb';
@@ -61,8 +62,9 @@ function colorsPerPoint(curves: Curves): Float32Array {
 export const isHair = (bytes: Uint8Array): boolean =>
   bytes[0] === 72 && bytes[1] === 65 && bytes[2] === 73 && bytes[3] === 82;
 
-/** @throws LissomError `file-truncated`, `count-too-large`, `file-damaged` */
+/** @throws LissomError `file-truncated`, `count-too-large`, `file-damaged`, `no-strands`, `file-too-large` */
 export function readHair(bytes: Uint8Array, name: string): Groom {
+  const budget = new Budget('strands', name, bytes.length);
   checkAnnounced(name, 'a header', HEADER, bytes.length);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const [count, total, arrays] = [view.getUint32(4, true), view.getUint32(8, true), view.getUint32(12, true)];
@@ -76,11 +78,15 @@ export function readHair(bytes: Uint8Array, name: string): Groom {
   if (!(arrays & SEGMENTS) && count * (common + 1) !== total)
     throw damaged(name, `${count} strands of ${common} segments do not make ${total} points`);
 
+  budget.take(4 * (count + 1) + 2 * perPoint * total);
   const offsets = new Uint32Array(count + 1);
-  for (let i = 0; i < count; i++)
-    offsets[i + 1] = offsets[i]! + 1 + (arrays & SEGMENTS ? view.getUint16(HEADER + 2 * i, true) : common);
-  if (offsets[count] !== total)
-    throw damaged(name, `its strands have ${offsets[count]} points together, but it announces ${total}`);
+  let points = 0;
+  for (let i = 0; i < count; i++) {
+    points += 1 + (arrays & SEGMENTS ? view.getUint16(HEADER + 2 * i, true) : common);
+    offsets[i + 1] = points;
+  }
+  if (points !== total)
+    throw damaged(name, `its strands have ${points} points together, but it announces ${total}`);
 
   let at = HEADER + (arrays & SEGMENTS ? 2 * count : 0);
   // The arrays need not begin where single-precision numbers can be viewed in place.
@@ -89,12 +95,19 @@ export function readHair(bytes: Uint8Array, name: string): Groom {
     at += 4 * length;
     return new Float32Array(copy.buffer, 0, length);
   };
-  const points = floats(3 * total);
+  const coordinates = floats(3 * total);
   const widths = arrays & THICKNESS ? floats(total) : undefined;
   if (arrays & TRANSPARENCY) at += 4 * total;
   const colors = arrays & COLORS ? floats(3 * total) : undefined;
   const rgb = [28, 32, 36].map((offset) => view.getFloat32(offset, true));
-  return groomOf(name, { offsets, points, widths, colors, width: view.getFloat32(20, true), color: rgb });
+  return groomOf(name, {
+    offsets,
+    points: coordinates,
+    widths,
+    colors,
+    width: view.getFloat32(20, true),
+    color: rgb,
+  });
 }
 
 function damaged(name: string, what: string): LissomError {

@@ -1,6 +1,7 @@
 import { LissomError } from '../../core/errors';
 import { faceCount, type Model, vertexCount } from '../../core/model';
 import type { Groom } from '../../core/strands';
+import { Budget } from '../budget';
 import { ByteWriter } from '../byte-writer';
 import { GrowingUint32 } from '../growing';
 import { type ObjExtra, readObj } from '../obj-read';
@@ -59,11 +60,13 @@ export function hasObjLines(bytes: Uint8Array): boolean {
  * as programs that write each segment by itself mean it.
  *
  * @param mesh  what `readModel` made of the file, if that is known already
- * @throws LissomError `file-not-a-mesh`, `no-strands`, `file-damaged`
+ * @throws LissomError `file-not-a-mesh`, `no-strands`, `file-damaged`, `file-too-large`, `file-unfolds-too-far`
  */
 export function readObjLines(bytes: Uint8Array, name: string, mesh?: Model): Groom {
   const model = mesh?.origin?.format === 'obj' ? mesh : readObj(bytes, name).model;
-  const { offsets, vertices } = readLines(bytes, name, vertexCount(model));
+  const budget = new Budget('strands', name, bytes.length);
+  const { offsets, vertices } = readLines(bytes, name, vertexCount(model), budget);
+  budget.take(24 * vertices.length);
   const points = new Float64Array(3 * vertices.length);
   vertices.forEach((v, i) => {
     for (let k = 0; k < 3; k++) points[3 * i + k] = model.positions[3 * v + k]!;
@@ -72,10 +75,10 @@ export function readObjLines(bytes: Uint8Array, name: string, mesh?: Model): Gro
   return faceCount(model) > 0 ? { ...groom, head: onlyFaces(model) } : groom;
 }
 
-function readLines(bytes: Uint8Array, name: string, total: number) {
+function readLines(bytes: Uint8Array, name: string, total: number, budget: Budget) {
   const text = new TextScanner(bytes, 0, true);
-  const offsets = new GrowingUint32();
-  const vertices = new GrowingUint32();
+  const offsets = new GrowingUint32(budget);
+  const vertices = new GrowingUint32(budget);
   offsets.push(0);
   let seen = 0;
   let last = NO_INDEX;

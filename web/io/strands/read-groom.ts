@@ -18,16 +18,18 @@ export interface ReadStrands {
 /** A hair is so thick beside a head of hair, where the file says nothing: 0.07 mm to 25 cm. */
 const USUAL_THICKNESS = 3e-4;
 const USUAL_COLOR = [0.35, 0.22, 0.13];
+/** Strands are shown in single precision, which ends at 3.4e38; differences of coordinates must fit as well. */
+const FARTHEST = 1e38;
 
 /**
- * The groom of a file. Strands of fewer than two points or with coordinates that are no numbers are left out; of
+ * The groom of a file. Strands of fewer than two points or with coordinates that single precision lacks are left out; of
  * thickness and colour remain what a look can hold: means over all roots and tips.
  *
  * @throws LissomError `no-strands`
  */
 export function groomOf(name: string, read: ReadStrands): Groom {
   const kept: number[] = [];
-  for (let s = 0; s + 1 < read.offsets.length; s++) if (isLine(read, s)) kept.push(s);
+  for (let s = 0; s + 1 < read.offsets.length; s++) if (isLine(read, s) && isNear(read, s)) kept.push(s);
   if (kept.length === 0) {
     const message = `${name} holds no strand of two or more points. Open a .hair file, or an OBJ with lines (“l”).`;
     throw new LissomError('no-strands', message);
@@ -48,6 +50,12 @@ export function groomOf(name: string, read: ReadStrands): Groom {
   for (let p = 0; p < full.length; p += 3)
     for (let k = 0; k < 3; k++) points[p + k] = full[p + k]! - origin[k]!;
   return { name, strands: { offsets, points, origin, look: lookOf(read, kept, points) } };
+}
+
+function isNear({ offsets, points }: ReadStrands, s: number): boolean {
+  for (let i = 3 * offsets[s]!; i < 3 * offsets[s + 1]!; i++)
+    if (Math.abs(points[i]!) > FARTHEST) return false;
+  return true;
 }
 
 function lookOf(read: ReadStrands, kept: readonly number[], points: Float32Array): StrandLook {

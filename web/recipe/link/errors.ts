@@ -2,6 +2,8 @@ import { LissomError } from '../../core/errors';
 
 /** Greatest size of what a link unpacks to, in bytes. */
 export const MAX_UNPACKED = 1_000_000;
+/** Most values that a link holds once it is read, of eight bytes each: 4 MB. A list counts for six beside its items. */
+export const MAX_VALUES = 500_000;
 /** Greatest length of a link's payload, in characters: less than what browsers take as an address. */
 export const MAX_PAYLOAD = 1_500_000;
 
@@ -32,6 +34,19 @@ export const tooLarge = (what: string): LissomError =>
   new LissomError(
     'link-too-large',
     `${what}; the limit is ${grouped(MAX_UNPACKED)} bytes. Use a project file instead.`,
+  );
+
+export const tooManyValues = (): LissomError =>
+  new LissomError(
+    'link-too-large',
+    `The link holds more than ${grouped(MAX_VALUES)} values; that many would take 4 MB. Use a project file instead.`,
+  );
+
+/** @param seconds  how long was waited */
+export const linkTooSlow = (seconds: number): LissomError =>
+  new LissomError(
+    'link-too-slow',
+    `The link was not read within ${seconds} seconds, so it was not opened. Ask for a project file instead.`,
   );
 
 export const emptyLink = (): LissomError =>

@@ -20,10 +20,12 @@ import {
   linkTooNew,
   MAX_PAYLOAD,
   MAX_UNPACKED,
+  MAX_VALUES,
   needsFile,
   tooLarge,
+  tooManyValues,
 } from './errors';
-import { readValue, writeValue } from './value';
+import { readValue, valuesIn, writeValue } from './value';
 
 const VERSION = 1;
 const LONGEST_HEAD = 10;
@@ -40,7 +42,9 @@ export function encodeLink(recipe: Recipe, base = ''): string {
   refuseFiles(recipe);
   const plain = new ByteWriter();
   // The way through the schema puts fields in one order, so equal recipes give equal links.
-  writeValue(plain, parseRecipe(recipe));
+  const ordered = parseRecipe(recipe);
+  if (valuesIn(ordered) > MAX_VALUES) throw tooManyValues();
+  writeValue(plain, ordered);
   const unpacked = plain.done();
   if (unpacked.length > MAX_UNPACKED)
     throw tooLarge(`The recipe needs ${unpacked.length.toLocaleString('en-US')} bytes`);

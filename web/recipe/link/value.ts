@@ -2,7 +2,7 @@
 // here: lists of numbers and lists of equally long lists of numbers (points, ranges) take the short way.
 
 import type { ByteReader, ByteWriter } from './bytes';
-import { damaged, linkTooNew } from './errors';
+import { damaged, linkTooNew, MAX_VALUES, tooManyValues } from './errors';
 import { readNumber, readNumbers, writeNumber, writeNumbers } from './numbers';
 import { WORDS } from './words';
 
@@ -19,7 +19,35 @@ const TABLE = 8;
 /** Deeper than any recipe, shallower than the stack. */
 const MAX_DEPTH = 40;
 
+/** What a list, a table's row or an object takes beside what is in it, in values of eight bytes. */
+const HOLDER = 6;
+/** Characters that fit where a number does. */
+const LETTERS = 4;
+
 const CODES = new Map(WORDS.map((word, code) => [word, code]));
+
+/** What a value takes once it is read, in values of eight bytes: what a writer asks before it makes a link. */
+export function valuesIn(value: unknown): number {
+  if (typeof value === 'string') return lettersTake(value.length);
+  if (value === null || typeof value !== 'object') return 1;
+  let sum = HOLDER;
+  for (const [key, held] of Object.entries(value))
+    if (held !== undefined) sum += valuesIn(held) + (Array.isArray(value) ? 0 : lettersTake(key.length));
+  return sum;
+}
+
+const lettersTake = (length: number): number => 1 + Math.ceil(length / LETTERS);
+
+/** Counts what is read before it is set aside. */
+export class ValueBudget {
+  #left = MAX_VALUES;
+
+  /** @throws LissomError `link-too-large` */
+  take(values: number): void {
+    this.#left -= values;
+    if (this.#left < 0) throw tooManyValues();
+  }
+}
 
 /** @param value  JSON: finite numbers, texts, lists, plain objects; fields that are `undefined` are left out */
 export function writeValue(out: ByteWriter, value: unknown): void {
@@ -41,22 +69,25 @@ export function writeValue(out: ByteWriter, value: unknown): void {
   } else out.byte(value === true ? TRUE : value === false ? FALSE : NULL);
 }
 
-/** @throws LissomError `link-damaged`, `link-too-new` */
-export function readValue(from: ByteReader, depth = 0): unknown {
+/** @throws LissomError `link-damaged`, `link-too-new`, `link-too-large` */
+export function readValue(from: ByteReader, budget = new ValueBudget(), depth = 0): unknown {
   if (depth > MAX_DEPTH) throw damaged();
   const kind = from.byte();
+  if (kind === LIST || kind === OBJECT) return readHolder(from, kind, budget, depth);
+  if (kind === NUMBERS || kind === TABLE) return readTable(from, kind, budget);
+  if (kind === TEXT) return readText(from, budget);
+  budget.take(1);
   if (kind === NULL) return null;
   if (kind === FALSE || kind === TRUE) return kind === TRUE;
-  if (kind === TEXT) return readText(from);
   if (kind === NUMBER) return readNumber(from);
-  if (kind === LIST) return Array.from({ length: from.count() }, () => readValue(from, depth + 1));
-  if (kind === NUMBERS) return readNumbers(from, from.count(), 1);
-  if (kind === TABLE) return readTable(from);
-  if (kind !== OBJECT) throw linkTooNew();
-  const fields = Array.from(
-    { length: from.count(2) },
-    () => [readText(from), readValue(from, depth + 1)] as const,
-  );
+  throw linkTooNew();
+}
+
+function readHolder(from: ByteReader, kind: number, budget: ValueBudget, depth: number): unknown {
+  budget.take(HOLDER);
+  const item = () => readValue(from, budget, depth + 1);
+  if (kind === LIST) return Array.from({ length: from.count() }, item);
+  const fields = Array.from({ length: from.count(2) }, () => [readText(from, budget), item()] as const);
   return Object.fromEntries(fields);
 }
 
@@ -78,10 +109,14 @@ function writeList(out: ByteWriter, items: readonly unknown[]): void {
   }
 }
 
-function readTable(from: ByteReader): number[][] {
+/** Numbers alone, or in rows. A row is a byte at least: rows of no numbers would be made of nothing. */
+function readTable(from: ByteReader, kind: number, budget: ValueBudget): number[] | number[][] {
   const rows = from.count();
-  const width = from.count();
+  const width = kind === TABLE ? from.count() : 1;
+  if (width === 0) throw damaged();
+  budget.take(kind === TABLE ? HOLDER + rows * (HOLDER + width) : HOLDER + rows);
   const flat = readNumbers(from, rows * width, width);
+  if (kind === NUMBERS) return flat;
   return Array.from({ length: rows }, (_, row) => flat.slice(row * width, (row + 1) * width));
 }
 
@@ -102,15 +137,17 @@ function writeText(out: ByteWriter, text: string): void {
   if (code === undefined) for (let i = 0; i < text.length; i++) out.varint(text.charCodeAt(i));
 }
 
-function readText(from: ByteReader): string {
+function readText(from: ByteReader, budget: ValueBudget): string {
   const code = from.varint();
   if (code % 2 === 0) {
     const word = WORDS[code / 2];
     if (word === undefined) throw linkTooNew();
+    budget.take(lettersTake(word.length));
     return word;
   }
   const length = (code - 1) / 2;
   if (length > from.left) throw damaged();
+  budget.take(lettersTake(length));
   let text = '';
   for (let i = 0; i < length; i++) {
     const unit = from.varint();

@@ -1,5 +1,16 @@
 import * as v from 'valibot';
-import { index, list, matrix, reference, stepId, vec3, vertexSet } from '../schema-parts';
+import { MAX_HANDLES } from '../limits';
+import {
+  index,
+  list,
+  listUpTo,
+  matrix,
+  reference,
+  stepId,
+  vec3,
+  vertexSet,
+  wholeBetween,
+} from '../schema-parts';
 
 const label = {
   name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
@@ -15,13 +26,10 @@ const pointHandle = v.strictObject({
   ...label,
 });
 
-const COUNT = 'a whole number from 1 to 100';
-const count = v.pipe(v.number(), v.integer(COUNT), v.minValue(1, COUNT), v.maxValue(100, COUNT));
-
 const options = v.strictObject({
   removeShear: v.optional(v.boolean(), true),
   scaleDetails: v.optional(v.boolean(), false),
-  iterations: v.optional(count, 1),
+  iterations: v.optional(wholeBetween(1, 100), 1),
   coherenceRing: v.optional(v.picklist([1, 2]), 1),
 });
 
@@ -31,7 +39,7 @@ export const deformStep = v.strictObject({
   type: v.literal('deform'),
   model: reference,
   roi: v.optional(vertexSet, 'all'),
-  handles: list(v.variant('kind', [regionHandle, pointHandle])),
+  handles: listUpTo(MAX_HANDLES, v.variant('kind', [regionHandle, pointHandle])),
   method: v.optional(v.picklist(['implicit', 'iterative', 'naive']), 'implicit'),
   options: v.optional(options, {}),
 });

@@ -1,34 +1,34 @@
 import * as v from 'valibot';
-import { finite, list, reference, stepId, vec3, vertexSet } from '../schema-parts';
+import { MAX_COORDINATE } from '../limits';
+import {
+  between,
+  grouped,
+  length,
+  listUpTo,
+  reference,
+  stepId,
+  vec3,
+  vertexSet,
+  wholeBetween,
+} from '../schema-parts';
 
 /** More would not fit a browser's memory; a real head has about a hundred thousand. */
 export const MAX_STRANDS = 1_000_000;
 const MAX_PRIMITIVES = 500;
 const MAX_POINTS = 2000;
+/** Painted lengths have three digits from 0 to 2. */
+const MAX_LENGTHS = 5000;
 
 const label = {
   name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
   hidden: v.optional(v.boolean()),
 };
 
-const grouped = (n: number): string => n.toLocaleString('en-US');
-
-function whole(low: number, high: number) {
-  const expected = `a whole number from ${grouped(low)} to ${grouped(high)}`;
-  return v.pipe(v.number(), v.integer(expected), v.minValue(low, expected), v.maxValue(high, expected));
-}
-
-function between(low: number, high: number) {
-  const expected = `a number from ${low} to ${high}`;
-  return v.pipe(finite, v.minValue(low, expected), v.maxValue(high, expected));
-}
-
 const share = between(0, 1);
-const length = v.pipe(finite, v.gtValue(0, 'a length above 0'));
 
-const line = v.pipe(list(vec3), v.maxLength(MAX_POINTS, `at most ${grouped(MAX_POINTS)} points`));
+const line = listUpTo(MAX_POINTS, vec3, `at most ${grouped(MAX_POINTS)} points`);
 const some = <const S extends v.GenericSchema>(item: S) =>
-  v.pipe(list(item), v.maxLength(MAX_PRIMITIVES, `at most ${MAX_PRIMITIVES} of them`));
+  listUpTo(MAX_PRIMITIVES, item, `at most ${MAX_PRIMITIVES} of them`);
 
 const stream = v.strictObject({ points: line, fade: v.optional(v.boolean(), false), ...label });
 
@@ -44,7 +44,7 @@ const parting = v.strictObject({
 const ponytail = v.strictObject({
   spine: line,
   section: v.optional(line, []),
-  profiles: v.optional(v.pipe(list(line), v.maxLength(2, 'at most two profiles')), []),
+  profiles: v.optional(listUpTo(2, line, 'at most two profiles'), []),
   tightness: v.optional(share, 0.6),
   ...label,
 });
@@ -58,14 +58,14 @@ export const hairStep = v.strictObject({
   model: reference,
   /** Left out: the scalp that the model brings. */
   scalp: v.optional(vertexSet),
-  grid: v.optional(v.strictObject({ resolution: v.optional(whole(16, 96), 48) }), {}),
+  grid: v.optional(v.strictObject({ resolution: v.optional(wholeBetween(16, 96), 48) }), {}),
   streams: v.optional(some(stream), []),
   partings: v.optional(some(parting), []),
   ponytails: v.optional(some(ponytail), []),
   strands: v.optional(
     v.strictObject({
-      count: v.optional(whole(0, MAX_STRANDS), 30_000),
-      seed: v.optional(whole(0, 2 ** 31 - 1), 1),
+      count: v.optional(wholeBetween(0, MAX_STRANDS), 30_000),
+      seed: v.optional(wholeBetween(0, 2 ** 31 - 1), 1),
       step: v.optional(between(0.1, 2), 0.5),
     }),
     {},
@@ -76,12 +76,15 @@ export const hairStep = v.strictObject({
       max: v.optional(length),
       variation: v.optional(share, 0.2),
       /** Painted: a factor of the length, where parts overlap the last one counts. */
-      map: v.optional(list(v.strictObject({ vertices: vertexSet, factor: between(0, 2) })), []),
+      map: v.optional(
+        listUpTo(MAX_LENGTHS, v.strictObject({ vertices: vertexSet, factor: between(0, 2) })),
+        [],
+      ),
     }),
     {},
   ),
   /** Height of the hair over the skin; 3 % of the head's height when left out. */
-  volume: v.optional(v.pipe(finite, v.minValue(0, 'a height from 0 on'))),
+  volume: v.optional(between(0, MAX_COORDINATE)),
   detail: v.optional(
     v.strictObject({
       clump: v.optional(share, 0.4),

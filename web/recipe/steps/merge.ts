@@ -1,5 +1,26 @@
 import * as v from 'valibot';
-import { finite, index, list, matrix, reference, stepId, vertexSet } from '../schema-parts';
+import { MAX_HANDLES } from '../limits';
+import {
+  between,
+  coordinate,
+  index,
+  length,
+  list,
+  listUpTo,
+  matrix,
+  positiveUpTo,
+  reference,
+  stepId,
+  vertexSet,
+  wholeBetween,
+} from '../schema-parts';
+
+/** Pairs of boundaries; a mesh joined along more of them would be a net. */
+const MAX_BOUNDARIES = 100;
+/** Between the coarsest and the finest unit that two models come in. */
+const MAX_SCALE = 1e9;
+/** Some turns too many do no harm. */
+const MAX_DEGREES = 1e6;
 
 const key = v.strictTuple([index, index], 'a pair of a source vertex and a target vertex');
 
@@ -19,27 +40,21 @@ const handle = v.strictObject({
   name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
 });
 
-const POSITIVE = 'a number above 0';
-const positive = v.pipe(
-  finite,
-  v.check((number) => number > 0, POSITIVE),
-);
-
 /** Widths along the two surfaces, in their own units; the weight is w_T of E_T (Fu 3.3.3). */
 const transition = v.strictObject({
-  sourceWidth: positive,
-  targetWidth: positive,
-  weight: v.optional(v.pipe(finite, v.minValue(0, 'a number from 0 on')), 0.1),
+  sourceWidth: length,
+  targetWidth: length,
+  weight: v.optional(between(0, MAX_SCALE), 0.1),
 });
 
 /** How the source's plane map lies on the target's: scaled, turned (degrees), then moved. */
 const placement = v.strictObject({
-  shift: v.strictTuple([finite, finite], 'two numbers'),
-  turn: finite,
-  scale: positive,
+  shift: v.strictTuple([coordinate, coordinate], 'two numbers'),
+  turn: between(-MAX_DEGREES, MAX_DEGREES),
+  scale: positiveUpTo(MAX_SCALE),
 });
 
-const ROUNDS = 'a whole number from 0 to 100';
+const rounds = wholeBetween(0, 100);
 
 /** Painted regions; the boundary is found between the feature and the edge of the source region. */
 const optimalBoundary = v.strictObject({
@@ -48,7 +63,7 @@ const optimalBoundary = v.strictObject({
   targetRegion: vertexSet,
   placement: v.optional(placement),
   /** Rounds of seeking at most; 0: the edge of the source region is the boundary. As many as help when left out. */
-  rounds: v.optional(v.pipe(v.number(), v.integer(ROUNDS), v.minValue(0, ROUNDS), v.maxValue(100, ROUNDS))),
+  rounds: v.optional(rounds),
 });
 
 /**
@@ -61,17 +76,14 @@ export const mergeStep = v.strictObject({
   source: reference,
   target: reference,
   mode: v.optional(v.picklist(['independent', 'dependent']), 'independent'),
-  boundaries: v.optional(list(boundary), []),
+  boundaries: v.optional(listUpTo(MAX_BOUNDARIES, boundary), []),
   optimalBoundary: v.optional(optimalBoundary),
   /** With `boundaries` only. */
   transition: v.optional(transition),
   roi: v.optional(vertexSet, 'all'),
-  handles: v.optional(list(handle), []),
+  handles: v.optional(listUpTo(MAX_HANDLES, handle), []),
   pose: v.optional(matrix),
-  smoothing: v.optional(
-    v.pipe(v.number(), v.integer(ROUNDS), v.minValue(0, ROUNDS), v.maxValue(100, ROUNDS)),
-    1,
-  ),
+  smoothing: v.optional(rounds, 1),
 });
 
 export type MergeStep = v.InferOutput<typeof mergeStep>;

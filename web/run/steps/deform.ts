@@ -5,7 +5,7 @@ import { hashValue } from '../../core/hash';
 import { vertexCount, withPositions } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/steps/deform';
-import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
 import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
 const UNTIMED = { assemble: 0, factor: 0, solve: 0, rotate: 0, reconstruct: 0 };
@@ -25,6 +25,11 @@ export const deformRunner = {
     checkVertices(step.roi, `${path}.roi`, input);
     for (const [at, handle] of step.handles.entries())
       checkVertices(handle.vertices, `${path}.handles[${at}].vertices`, input);
+    checkApart(
+      step.handles.map(({ vertices }) => vertices),
+      `${path}.handles`,
+      input,
+    );
   },
 
   vertexCount: ([input]) => input?.vertices,

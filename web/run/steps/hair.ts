@@ -9,6 +9,7 @@ import { toIndices } from '../../core/vertex-set';
 import type { FieldVectors, HairOptions, HairStyle, OpenedHair } from '../../kernel/contract/hair';
 import { type HairStep, newHairStep } from '../../recipe/steps/hair';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { checkReach } from './hair/reach';
 import { scalpOf } from './hair/scalp';
 import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
@@ -123,6 +124,7 @@ const PLAIN = newHairStep('plain', 'plain').material;
 /** The head ready for hair, with the step's style. */
 async function styleHead(step: HairStep, { inputs, kernel, signal: stop, onProgress }: StepContext) {
   const input = inputs[0]!;
+  checkReach(step, input.model);
   const signal = stop ? { signal: stop } : {};
   const { resolution } = step.grid;
   const up = input.model.upAxis ?? 'y';

@@ -8,7 +8,7 @@ import { toIndices } from '../../core/vertex-set';
 import type { MapPlacement, Merged, PaintedRegions, RegionMaps } from '../../kernel/contract/merge';
 import type { MergeStep } from '../../recipe/steps/merge';
 import type { ModelResult } from '../types';
-import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
 import { mergedModel } from './merge/merged-model';
 import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
@@ -73,6 +73,11 @@ export const mergeRunner = {
     checkVertices(step.roi, `${path}.roi`, source);
     for (const [at, { vertices }] of step.handles.entries())
       checkVertices(vertices, `${path}.handles[${at}].vertices`, source);
+    checkApart(
+      step.handles.map(({ vertices }) => vertices),
+      `${path}.handles`,
+      source,
+    );
   },
 
   vertexCount: () => undefined,
