@@ -15,7 +15,7 @@ import { workspaceCommands } from './workspace';
 export function allCommands(context: CommandContext, wings: () => Iterable<Wing>): () => Command[] {
   const of = (lists: readonly ((context: CommandContext) => Command[])[]) =>
     lists.flatMap((list) => list(context));
-  const first = of([fileCommands, editCommands, brushCommands]);
-  const last = of([viewCommands, workspaceCommands, helpCommands]);
+  const first = of([fileCommands, editCommands]);
+  const last = of([brushCommands, viewCommands, workspaceCommands, helpCommands]);
   return () => [...first, ...[...wings()].flatMap(({ commands }) => commands), ...last];
 }

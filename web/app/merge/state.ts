@@ -48,6 +48,8 @@ interface Parts {
 export class MergeState {
   /** The open step while it is one that merges. */
   readonly step: ReadonlySignal<MergeStep | undefined>;
+  /** The same, unless a part is being chosen for something else: its loops and marks are of the models shown. */
+  readonly shownStep: ReadonlySignal<MergeStep | undefined>;
   /** The model that a part is being chosen for. */
   readonly target = signal<ModelResult | null>(null);
   /** The two models of the open step, or of the one about to be started; `null` while one is not there yet. */
@@ -70,6 +72,7 @@ export class MergeState {
   constructor(private readonly parts: Parts) {
     const { state, evaluator } = parts;
     this.step = computed(() => stepOf(state.recipe.value, state.selection.value.step, 'merge'));
+    this.shownStep = computed(() => (state.choosing.value ? undefined : this.step.value));
     const opened = computed((): Opened | null => {
       if (state.choosing.value) {
         const names = { source: null, target: null };

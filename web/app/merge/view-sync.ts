@@ -83,7 +83,7 @@ function syncPane(
 
 function showMarks(viewport: ViewportPort, own: MergeState, side: MergeSide): void {
   const shown = own.sides.value[side];
-  const step = own.step.value;
+  const step = own.shownStep.value;
   const paint = own.paint.value;
   if (!shown) return;
   const count = shown.model.positions.length / 3;
@@ -104,7 +104,7 @@ function showLoops(loops: LoopsPort, own: MergeState, actions: MergeActions, sid
     ...(isOurs && { tint: TINTS[side] }),
     strong,
   });
-  const joined = (own.step.value?.boundaries ?? []).map((boundary) => boundary[side]);
+  const joined = (own.shownStep.value?.boundaries ?? []).map((boundary) => boundary[side]);
   const taken = new Set(joined.flat());
   const open = (actions.aids.of(side)?.loops ?? []).filter((loop) => !loop.some((v) => taken.has(v)));
   const marked = [own.hovered.value, own.picked.value].filter((each) => each?.side === side);
