@@ -14,7 +14,6 @@ interface Canvas {
 
 /** What a brush paints. */
 export interface PaintSubject<S extends PaintScene> {
-  readonly id: string;
   readonly kind: RegionPaint['kind'];
   /** `null` while there is nothing to paint on. */
   scene(): S | null;
@@ -27,15 +26,12 @@ export interface PaintSubject<S extends PaintScene> {
  * Shift+click fills up to the painted border, or the whole connected piece.
  */
 export class PaintTool<S extends PaintScene> implements Tool {
-  readonly id: string;
   #painting: Painting | null = null;
 
   constructor(
     private readonly host: PaintHost,
     private readonly subject: PaintSubject<S>,
-  ) {
-    this.id = subject.id;
-  }
+  ) {}
 
   down(sample: PointerSample): boolean {
     const scene = this.subject.scene();

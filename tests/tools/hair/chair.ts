@@ -4,15 +4,15 @@
 import { newHairStep } from '../../../web/recipe/steps/hair';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '../../../web/tools/hair/host';
 import { REACH } from '../../../web/tools/hair/measures';
-import { nearestOn } from '../../../web/tools/hair/polyline';
-import { onScreen } from '../../../web/tools/hair/stroke';
 import { curvesOf, mainPart, pointsOf, primitiveAt } from '../../../web/tools/hair/style';
+import { nearestOn } from '../../../web/tools/stroke/polyline';
+import { onScreen } from '../../../web/tools/stroke/stroke';
 import {
   type SupportKind,
   SupportSurface,
   type Viewpoint,
   viewpointOf,
-} from '../../../web/tools/hair/support';
+} from '../../../web/tools/stroke/support';
 import type { Tool } from '../../../web/tools/tool';
 import type { CurveHit } from '../../../web/view/hair/types';
 import type { CameraState, Hit, PointerSample, Vec3 } from '../../../web/view/types';

@@ -1,10 +1,10 @@
 import { beforeEach, expect, test } from 'vitest';
 import { gap } from '../../../web/tools/geometry';
-import { lengthOf, nearestOn } from '../../../web/tools/hair/polyline';
 import { HairSelectTool, HintTool } from '../../../web/tools/hair/select-tool';
 import { StreamTool } from '../../../web/tools/hair/stream-tool';
 import { mirrored } from '../../../web/tools/hair/style';
-import { SupportSurface, viewpointOf } from '../../../web/tools/hair/support';
+import { lengthOf, nearestOn } from '../../../web/tools/stroke/polyline';
+import { SupportSurface, viewpointOf } from '../../../web/tools/stroke/support';
 import type { Vec3 } from '../../../web/view/types';
 import { Chair } from './chair';
 

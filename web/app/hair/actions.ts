@@ -5,7 +5,7 @@ import type { HairStep } from '../../recipe/recipe';
 import { duplicatePrimitive, removePrimitive, replacePrimitive } from '../../tools/hair/edits';
 import type { HairScene } from '../../tools/hair/host';
 import { type Primitive, type PrimitivePatch, primitiveAt, primitivesOf } from '../../tools/hair/style';
-import { viewpointOf } from '../../tools/hair/support';
+import { viewpointOf } from '../../tools/stroke/support';
 import type { ViewportPort } from '../../view/types';
 import type { HairPatch, HairService } from '../api';
 import type { Document } from '../document';

@@ -9,7 +9,7 @@ import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '.
 import { REACH } from '../../tools/hair/measures';
 import type { ScalpHost, ScalpScene } from '../../tools/hair/scalp-tool';
 import { mainPart, pointsOf, primitiveAt } from '../../tools/hair/style';
-import { SupportSurface, viewpointOf } from '../../tools/hair/support';
+import { SupportSurface, viewpointOf } from '../../tools/stroke/support';
 import { MeshGraph } from '../../tools/mesh-graph';
 import { Mirror } from '../../tools/mirror';
 import type { PaintVerb } from '../../tools/paint-tool';

@@ -1,8 +1,8 @@
 // What the hair workspace knows beside the document, as signals. No behaviour here.
 
 import { signal } from '@preact/signals';
-import type { Line } from '../../tools/hair/polyline';
-import type { SupportKind, Viewpoint } from '../../tools/hair/support';
+import type { Line } from '../../tools/stroke/polyline';
+import type { SupportKind, Viewpoint } from '../../tools/stroke/support';
 import type { HairOptions, StyleCurve } from '../../view/hair/types';
 import type { ViewedStrands } from './viewed';
 

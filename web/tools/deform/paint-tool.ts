@@ -8,7 +8,6 @@ import type { DeformHost, DeformScene } from './host';
 /** The region of interest. Painting while it is everything starts it anew; emptied, it stays empty. */
 export const paintRoi = (host: DeformHost): PaintTool<DeformScene> =>
   new PaintTool(host, {
-    id: 'paint-roi',
     kind: 'roi',
     scene: () => host.scene(),
     canvas: ({ step, selected, rest }, _, erase) => ({
@@ -24,7 +23,6 @@ export const paintRoi = (host: DeformHost): PaintTool<DeformScene> =>
 /** A stroke that begins on a handle extends or erases that one (the selected one first); elsewhere it makes a new one. */
 export const paintHandle = (host: DeformHost): PaintTool<DeformScene> =>
   new PaintTool(host, {
-    id: 'paint-handle',
     kind: 'handle',
     scene: () => host.scene(),
     canvas: (scene, first) => {

@@ -6,7 +6,6 @@ import { grab, placePoint, SelectTool } from './select-tool';
 
 /** A click on the surface places a point handle, which may be dragged on; on a handle it works like select. */
 export class PointTool implements Tool {
-  readonly id = 'point-handle';
   readonly #select: SelectTool;
   #drag: HandleDrag | SelectTool | null = null;
 

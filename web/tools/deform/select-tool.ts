@@ -7,7 +7,6 @@ import { type DeformHost, type DeformScene, handleOfMarker } from './host';
 
 /** Click selects a handle, drag moves it, Shift+click places a point handle; elsewhere the camera turns. */
 export class SelectTool implements Tool {
-  readonly id = 'select';
   #drag: HandleDrag | null = null;
 
   constructor(private readonly host: DeformHost) {}

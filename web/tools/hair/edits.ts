@@ -2,9 +2,9 @@
 // is done on the other too: a new primitive comes with its mirror image, an edit of one is an edit of both.
 
 import { roundTo } from '../../core/decimal';
+import { type Line, lengthOf, quantised, resampled, smoothed } from '../stroke/polyline';
 import type { HairEdit, HairScene } from './host';
 import { MIDDLE, MIDDLE_TAIL, places, SHORTEST } from './measures';
-import { type Line, lengthOf, quantised, resampled, smoothed } from './polyline';
 import {
   added,
   isMiddle,

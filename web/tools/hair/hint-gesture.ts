@@ -1,12 +1,12 @@
 import type { PointerSample } from '../../view/types';
+import { applyHint, readHint } from '../stroke/hint';
+import { quantised, thinned } from '../stroke/polyline';
+import { onScreen, SupportStroke } from '../stroke/stroke';
+import type { SupportSurface } from '../stroke/support';
 import { evened, isTooShort, replacePart } from './edits';
-import { applyHint, readHint } from './hint';
 import type { HairEdit, HairHost, HairRemark, HairScene } from './host';
 import { nearness, places, SPACING } from './measures';
-import { quantised, thinned } from './polyline';
-import { onScreen, SupportStroke } from './stroke';
 import { mainPart, pointsOf, primitiveAt } from './style';
-import type { SupportSurface } from './support';
 
 /** One hint stroke beside the selected curve: cuts it, continues it or replaces a piece of it. */
 export class HintGesture {

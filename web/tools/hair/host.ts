@@ -1,8 +1,8 @@
 import type { HairStep } from '../../recipe/recipe';
 import type { StyleCurve } from '../../view/hair/types';
 import type { ViewportPort } from '../../view/types';
-import type { Line } from './polyline';
-import type { SupportSurface } from './support';
+import type { Line } from '../stroke/polyline';
+import type { SupportSurface } from '../stroke/support';
 
 /** The open hair step and the head it works on, as tools read them. */
 export interface HairScene {

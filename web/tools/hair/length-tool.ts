@@ -22,7 +22,6 @@ export interface LengthHost extends PaintHost {
 /** Paints how long hair grows where: the brush gives its factor, erasing gives back the length of all. */
 export const paintLength = (host: LengthHost): PaintTool<LengthScene> =>
   new PaintTool(host, {
-    id: 'paint-length',
     kind: 'scalp',
     scene: () => host.lengthScene(),
     canvas: ({ factors, factor }, _, erase) => {

@@ -1,6 +1,6 @@
 // Lengths of the hair tools, as parts of the head's height; a head of any unit is drawn on alike.
 
-import { placesFor } from './polyline';
+import { placesFor } from '../stroke/polyline';
 
 /** Between two control points of a stream. */
 export const SPACING = 1 / 18;

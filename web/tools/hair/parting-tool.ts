@@ -1,10 +1,11 @@
 import type { PointerSample, Vec3 } from '../../view/types';
+import { type Gesture, GestureTool } from '../stroke/gesture';
+import { nearestOn } from '../stroke/polyline';
+import { onScreen, SurfaceStroke } from '../stroke/stroke';
+import { drawing } from './drawing';
 import { addPrimitive, isTooShort, kept } from './edits';
-import { Drawing, type Gesture, GestureTool } from './gesture';
 import type { HairEdit, HairHost, HairRemark, HairScene } from './host';
 import { nearness, PARTING_SPACING } from './measures';
-import { nearestOn } from './polyline';
-import { HeadStroke, onScreen } from './stroke';
 import { primitiveAt } from './style';
 import { TiltGesture } from './tilt';
 
@@ -15,21 +16,19 @@ export const PARTING = { tilt: [0, 0] as [number, number], sigma: 1, height: 0.5
  * Draws partings: a stroke on the skin. One that begins on the selected parting and leads away to a side
  * shows how the hair leans there.
  */
-export class PartingTool extends GestureTool {
-  readonly id = 'parting';
-
+export class PartingTool extends GestureTool<HairScene, HairHost> {
   protected begin(scene: HairScene, sample: PointerSample): Gesture | null {
     if (!sample.hit) return null;
     if (isNearSelected(this.host, scene, sample))
       return new TiltGesture(this.host, scene, scene.selected!, sample);
-    const stroke = new HeadStroke(this.host.view);
+    const stroke = new SurfaceStroke(this.host.view);
     const edited = () => withParting(scene, stroke);
-    return new Drawing(this.host, { stroke, kind: 'parting', label: 'add-parting', edited }, sample);
+    return drawing(this.host, { stroke, kind: 'parting', label: 'add-parting', edited }, sample);
   }
 }
 
 /** Only what lies on the skin before the stroke first leaves it. */
-function withParting(scene: HairScene, stroke: HeadStroke): HairEdit | HairRemark {
+function withParting(scene: HairScene, stroke: SurfaceStroke): HairEdit | HairRemark {
   const line = stroke.line.slice(0, stroke.onHead);
   if (isTooShort(line, scene.height)) return 'too-short';
   const points = kept(line, scene.height, PARTING_SPACING);

@@ -1,10 +1,10 @@
 import type { PointerSample, Vec3 } from '../../view/types';
 import { add, scaled, subtract } from '../geometry';
+import { quantised } from '../stroke/polyline';
 import { clickSlop, distance } from '../tool';
 import { replacePart } from './edits';
 import type { HairEdit, HairHost, HairScene } from './host';
 import { places } from './measures';
-import { quantised } from './polyline';
 import { mainPart, type Part, type Primitive, pointsOf, primitiveAt } from './style';
 
 /** Neighbours on either side that follow a dragged control point, less and less. */

@@ -1,13 +1,14 @@
 import type { PointerSample, Vec3 } from '../../view/types';
 import { add, anyNormal, cross, dot, scaled, subtract, unit } from '../geometry';
+import { type Gesture, GestureTool } from '../stroke/gesture';
+import { type Line, nearestOn, quantised } from '../stroke/polyline';
+import { SupportStroke, SurfaceStroke } from '../stroke/stroke';
+import { rayAt } from '../stroke/support';
+import { drawing } from './drawing';
 import { addPrimitive, isTooShort, kept, removePrimitive, replacePart } from './edits';
-import { Drawing, GestureTool } from './gesture';
-import type { HairEdit, HairEditLabel, HairRemark, HairScene } from './host';
+import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from './host';
 import { places, SHORTEST, SPACING } from './measures';
-import { type Line, nearestOn, quantised } from './polyline';
-import { HeadStroke, SupportStroke } from './stroke';
 import { type Point, type Primitive, primitiveAt } from './style';
-import { rayAt } from './support';
 
 /** Magnitude of the centripetal vectors a ponytail starts with (Fu 4.5). */
 export const TIGHTNESS = 0.6;
@@ -28,21 +29,19 @@ export function ponytailStage({ step, selected }: Pick<HairScene, 'step' | 'sele
 }
 
 /** Builds a ponytail stroke by stroke: spine from the head, section across it, a profile on either side. */
-export class PonytailTool extends GestureTool {
-  readonly id = 'ponytail';
-
+export class PonytailTool extends GestureTool<HairScene, HairHost> {
   override hover(sample: PointerSample): void {
     const scene = this.host.scene();
     this.host.aim(scene !== null && (ponytailStage(scene) !== 'spine' || sample.hit !== null));
   }
 
-  protected begin(scene: HairScene, sample: PointerSample): Drawing | null {
+  protected begin(scene: HairScene, sample: PointerSample): Gesture | null {
     const stage = ponytailStage(scene);
     const stroke = stage === 'spine' ? this.#spine(sample) : this.#beside(sample);
     if (!stroke) return null;
     const kind = stage === 'spine' || stage === 'section' ? stage : 'profile';
     const edited = () => withPart({ scene, stage, stroke }, this.#sight);
-    return new Drawing(this.host, { stroke, kind, label: LABELS[stage], edited }, sample);
+    return drawing(this.host, { stroke, kind, label: LABELS[stage], edited }, sample);
   }
 
   /** Takes back the last part of the ponytail being built. @returns false when none is */
@@ -58,8 +57,8 @@ export class PonytailTool extends GestureTool {
     return true;
   }
 
-  #spine(sample: PointerSample): HeadStroke | null {
-    return sample.hit ? new HeadStroke(this.host.view) : null;
+  #spine(sample: PointerSample): SurfaceStroke | null {
+    return sample.hit ? new SurfaceStroke(this.host.view) : null;
   }
 
   /** A stroke on the spine's supporting surface, begun on it. */
@@ -78,7 +77,7 @@ export class PonytailTool extends GestureTool {
 interface Begun {
   readonly scene: HairScene;
   readonly stage: PonytailStage;
-  readonly stroke: HeadStroke | SupportStroke;
+  readonly stroke: SurfaceStroke | SupportStroke;
 }
 
 const LABELS: Record<PonytailStage, HairEditLabel> = {

@@ -14,7 +14,6 @@ export interface ScalpHost extends PaintHost {
 /** Paints where hair grows. */
 export const paintScalp = (host: ScalpHost): PaintTool<ScalpScene> =>
   new PaintTool(host, {
-    id: 'paint-scalp',
     kind: 'scalp',
     scene: () => host.scalpScene(),
     canvas: ({ scalp }) => ({

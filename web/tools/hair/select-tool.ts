@@ -1,14 +1,14 @@
 import type { PointerSample } from '../../view/types';
-import { type Gesture, GestureTool } from './gesture';
+import { type Gesture, GestureTool } from '../stroke/gesture';
+import { rayAt } from '../stroke/support';
 import { HintGesture } from './hint-gesture';
-import type { HairScene } from './host';
+import type { HairHost, HairScene } from './host';
 import { PointDrag } from './point-drag';
 import { primitiveAt, readCurveId } from './style';
-import { rayAt } from './support';
 import { TiltGesture } from './tilt';
 
 /** What the two tools below share: a click on a curve selects it, and they need no head under the pointer. */
-abstract class CurveTool extends GestureTool {
+abstract class CurveTool extends GestureTool<HairScene, HairHost> {
   override hover(): void {
     this.host.aim(true);
   }
@@ -22,8 +22,6 @@ abstract class CurveTool extends GestureTool {
 
 /** A click selects a curve; of the selected one, control points can be dragged. Elsewhere the camera turns. */
 export class HairSelectTool extends CurveTool {
-  readonly id = 'hair-select';
-
   protected begin(scene: HairScene, sample: PointerSample): Gesture | null {
     const hit = this.host.view.pickCurve(sample.x, sample.y);
     const curve = hit && readCurveId(hit.id);
@@ -37,8 +35,6 @@ export class HairSelectTool extends CurveTool {
  * the hair leans. A click on another curve selects that one. Elsewhere the camera turns.
  */
 export class HintTool extends CurveTool {
-  readonly id = 'hint';
-
   protected begin(scene: HairScene, sample: PointerSample): Gesture | null {
     const { selected, step } = scene;
     const primitive = primitiveAt(step, selected);

@@ -1,20 +1,19 @@
 import type { PointerSample } from '../../view/types';
+import { type Gesture, GestureTool } from '../stroke/gesture';
+import type { Line } from '../stroke/polyline';
+import { SurfaceStroke } from '../stroke/stroke';
+import { drawing } from './drawing';
 import { addPrimitive, isTooShort, kept } from './edits';
-import { Drawing, GestureTool } from './gesture';
-import type { HairEdit, HairRemark, HairScene } from './host';
+import type { HairEdit, HairHost, HairRemark, HairScene } from './host';
 import { SPACING } from './measures';
-import type { Line } from './polyline';
-import { HeadStroke } from './stroke';
 
 /** Draws stream curves: a stroke that begins on the head. The hair follows while it is drawn. */
-export class StreamTool extends GestureTool {
-  readonly id = 'stream';
-
-  protected begin(scene: HairScene, sample: PointerSample): Drawing | null {
+export class StreamTool extends GestureTool<HairScene, HairHost> {
+  protected begin(scene: HairScene, sample: PointerSample): Gesture | null {
     if (!sample.hit) return null;
-    const stroke = new HeadStroke(this.host.view);
+    const stroke = new SurfaceStroke(this.host.view);
     const edited = () => withStream(scene, stroke.line);
-    return new Drawing(this.host, { stroke, kind: 'stream', label: 'add-stream', edited }, sample);
+    return drawing(this.host, { stroke, kind: 'stream', label: 'add-stream', edited }, sample);
   }
 }
 

@@ -3,11 +3,11 @@
 import { roundTo } from '../../core/decimal';
 import type { PointerSample, Vec3 } from '../../view/types';
 import { cross, dot, scaled, subtract, unit } from '../geometry';
+import { arcAt, type Line, lengthOf, nearestOn } from '../stroke/polyline';
+import { SurfaceStroke } from '../stroke/stroke';
 import { replacePrimitive } from './edits';
 import type { HairEdit, HairHost, HairScene } from './host';
 import { SHORTEST } from './measures';
-import { arcAt, type Line, lengthOf, nearestOn } from './polyline';
-import { HeadStroke } from './stroke';
 import { type Parting, primitiveAt } from './style';
 
 /** Further over and the two sides would run along the parting instead of away from it. */
@@ -44,7 +44,7 @@ export function tiltedBy(
 
 /** One hint stroke that sets a parting's lean. */
 export class TiltGesture {
-  readonly #stroke: HeadStroke;
+  readonly #stroke: SurfaceStroke;
   readonly #start: Vec3;
   readonly #normal: Vec3;
 
@@ -54,7 +54,7 @@ export class TiltGesture {
     private readonly index: number,
     sample: PointerSample,
   ) {
-    this.#stroke = new HeadStroke(host.view);
+    this.#stroke = new SurfaceStroke(host.view);
     this.#start = sample.hit!.point;
     this.#normal = sample.hit!.normal;
     this.#stroke.extend([sample]);

@@ -4,7 +4,6 @@ import type { Mark, MergeHost, MergeScene } from './host';
 /** Paints a mark on the model of one pane. */
 export const paintMark = (host: MergeHost, mark: Mark): PaintTool<MergeScene> =>
   new PaintTool(host, {
-    id: `mark-${mark}`,
     kind: mark,
     scene: () => host.scene(),
     canvas: (scene) => ({

@@ -23,7 +23,6 @@ interface Drag {
  * dragged along its loop; Alt+click takes one away. Elsewhere the camera turns.
  */
 export class PinTool implements Tool {
-  readonly id = 'merge-pins';
   #drag: Drag | null = null;
 
   constructor(private readonly host: MergeHost) {}

@@ -1,5 +1,5 @@
 import { roundTo } from '../../core/decimal';
-import { placesFor } from '../../tools/hair/polyline';
+import { placesFor } from '../../tools/stroke/polyline';
 import { useApp } from '../context';
 
 /** Lengths as people set them, in parts of the head's height, and as recipes hold them, in model units. */

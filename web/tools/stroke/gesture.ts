@@ -1,22 +1,32 @@
-// What the hair tools have in common: a press begins a gesture, and most gestures are one stroke.
+// What tools that draw have in common: a press begins a gesture, and most gestures are one stroke.
 
-import type { StyleCurve } from '../../view/hair/types';
 import type { PointerSample } from '../../view/types';
 import type { Tool } from '../tool';
-import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from './host';
-import type { HeadStroke, SupportStroke } from './stroke';
+import type { Line } from './polyline';
+import type { SupportStroke, SurfaceStroke } from './stroke';
 
 export interface Gesture {
   move(samples: readonly PointerSample[]): void;
   finish(sample: PointerSample): void;
 }
 
+/** What a tool of gestures needs of the app, whatever it draws. */
+export interface GestureHost<Scene> {
+  /** `null` while there is nothing to draw on. */
+  scene(): Scene | null;
+  /** Shows a stroke under way that is no edit yet; `null` ends it. */
+  showStroke(stroke: null): void;
+  /** Drops the preview: as if the gesture had never begun. */
+  cancel(): void;
+  /** Whether the pointer is over something a drawing tool can start on. */
+  aim(onSurface: boolean): void;
+}
+
 /** A tool that is a choice of gestures; where none begins, the camera has the pointer. */
-export abstract class GestureTool implements Tool {
-  abstract readonly id: string;
+export abstract class GestureTool<Scene, Host extends GestureHost<Scene>> implements Tool {
   #gesture: Gesture | null = null;
 
-  constructor(protected readonly host: HairHost) {}
+  constructor(protected readonly host: Host) {}
 
   down(sample: PointerSample): boolean {
     const scene = this.host.scene();
@@ -49,7 +59,7 @@ export abstract class GestureTool implements Tool {
     this.host.cancel();
   }
 
-  protected abstract begin(scene: HairScene, sample: PointerSample): Gesture | null;
+  protected abstract begin(scene: Scene, sample: PointerSample): Gesture | null;
 
   /** A press that begins no gesture. @returns whether it is taken */
   protected click(_sample: PointerSample): boolean {
@@ -57,20 +67,31 @@ export abstract class GestureTool implements Tool {
   }
 }
 
-/** A stroke and what it is to become. */
-export interface Drawn {
-  readonly stroke: HeadStroke | SupportStroke;
-  readonly kind: StyleCurve['kind'];
-  readonly label: HairEditLabel;
-  /** What the stroke so far makes of the step, or why it makes nothing. */
-  edited(): HairEdit | HairRemark;
+/** What one stroke needs of the app: edits under way and done, and a word about one that came to nothing. */
+export interface DrawingHost<Edit extends object, Label, Remark extends string, Kind> {
+  showStroke(stroke: { readonly line: Line; readonly kind: Kind } | null): void;
+  preview(edit: Edit): void;
+  commit(label: Label, edit: Edit): void;
+  cancel(): void;
+  say(remark: Remark): void;
 }
 
-/** One stroke from press to release, which the hair follows while it is drawn. */
-export class Drawing implements Gesture {
+/** A stroke and what it is to become. */
+export interface Drawn<Edit extends object, Label, Remark extends string, Kind> {
+  readonly stroke: SurfaceStroke | SupportStroke;
+  readonly kind: Kind;
+  readonly label: Label;
+  /** What the stroke so far makes of the step, or why it makes nothing. */
+  edited(): Edit | Remark;
+  /** Called before a finished stroke becomes an edit. */
+  finished?(): void;
+}
+
+/** One stroke from press to release; its edit is previewed while it is drawn. */
+export class Drawing<Edit extends object, Label, Remark extends string, Kind> implements Gesture {
   constructor(
-    private readonly host: HairHost,
-    private readonly drawn: Drawn,
+    private readonly host: DrawingHost<Edit, Label, Remark, Kind>,
+    private readonly drawn: Drawn<Edit, Label, Remark, Kind>,
     first: PointerSample,
   ) {
     this.move([first]);
@@ -90,8 +111,7 @@ export class Drawing implements Gesture {
     host.showStroke(null);
     const edit = drawn.edited();
     if (typeof edit === 'object') {
-      // A new curve is edited on a surface that faces whoever drew it.
-      if (drawn.label.startsWith('add-')) host.rebuildSupport();
+      drawn.finished?.();
       host.commit(drawn.label, edit);
       return;
     }

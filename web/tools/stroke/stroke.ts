@@ -43,7 +43,7 @@ abstract class Stroke {
 }
 
 /** On the head it has the head's depth, off it the depth of the last point on the head. */
-export class HeadStroke extends Stroke {
+export class SurfaceStroke extends Stroke {
   #last: Vec3 | null = null;
   #firstOff = Infinity;
 

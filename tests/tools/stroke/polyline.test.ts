@@ -14,7 +14,7 @@ import {
   smoothed,
   thinned,
   upTo,
-} from '../../../web/tools/hair/polyline';
+} from '../../../web/tools/stroke/polyline';
 import type { Vec3 } from '../../../web/view/types';
 
 const point = fc.tuple(

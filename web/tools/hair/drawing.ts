@@ -1,0 +1,15 @@
+import type { StyleCurve } from '../../view/hair/types';
+import type { PointerSample } from '../../view/types';
+import { Drawing, type Drawn } from '../stroke/gesture';
+import type { HairEdit, HairEditLabel, HairHost, HairRemark } from './host';
+
+/** One stroke from press to release, which the hair follows while it is drawn. */
+export const drawing = (
+  host: HairHost,
+  drawn: Drawn<HairEdit, HairEditLabel, HairRemark, StyleCurve['kind']>,
+  first: PointerSample,
+): Drawing<HairEdit, HairEditLabel, HairRemark, StyleCurve['kind']> => {
+  // A new curve is edited on a surface that faces whoever drew it.
+  const finished = drawn.label.startsWith('add-') ? () => host.rebuildSupport() : undefined;
+  return new Drawing(host, finished ? { ...drawn, finished } : drawn, first);
+};
