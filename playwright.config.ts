@@ -10,7 +10,8 @@ const port = Number(process.env.LISSOM_PREVIEW_PORT ?? 4179);
 export default defineConfig({
   testDir: 'tests/e2e',
   outputDir: 'test-results',
-  workers: 1,
+  // Files side by side; the tests of one file share a page.
+  workers: 2,
   retries: 0,
   // Software rendering on a busy machine: nothing here is about speed.
   timeout: 180_000,

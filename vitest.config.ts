@@ -5,7 +5,9 @@ export default defineConfig({
   test: {
     include: ['tests/**/*.test.{ts,tsx}'],
     exclude: ['tests/e2e/**', 'tests/wasm/**'],
-    testTimeout: 30_000,
-    hookTimeout: 60_000,
+    maxWorkers: '100%', // left to itself it leaves one core of two idle
+    // The kernel's own tests may run beside these, on the same cores: nothing here is about speed.
+    testTimeout: 120_000,
+    hookTimeout: 120_000,
   },
 });

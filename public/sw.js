@@ -1,12 +1,18 @@
-// Lissom without a connection. Built files carry a hash of their content in the name and are kept as they are;
-// everything else is asked of the network first, so a new version is seen as soon as there is a connection.
+// Lissom without a connection. What the build made is fetched at once and kept under the build's version, so a
+// page without a connection never has files of two versions. Of everything else what was once seen is kept.
+// With a connection the start page and all files whose names carry no hash come from the network.
 
-const CACHE = 'lissom-1';
-/** A server may say that answers vary by origin; built files and pages here do not. */
+/** Version and files of this build; the build writes them here. */
+const BUILD = /* build */ { version: 'none', files: [] };
+
+const { scope } = self.registration;
+const OWN = `lissom ${scope} `;
+const CACHE = OWN + BUILD.version;
+/** Files that are no part of the build's list: the gallery. */
+const SEEN = `lissom-seen ${scope}`;
+const START = './';
+/** A server may say that answers vary by origin; files here do not. */
 const ANY = { ignoreVary: true, ignoreSearch: true };
-const HASHED = /[\w.-]+-[\w-]{8}\.(?:js|css|wasm)/g;
-const FIRST = ['./', './manifest.webmanifest', './icons/lissom.svg', './gallery/index.json'];
-const FIRST_MODEL = ['./gallery/recipes/first.json', './gallery/dinosaur.ply'];
 
 self.addEventListener('install', (event) => {
   event.waitUntil(precache().then(() => self.skipWaiting()));
@@ -18,79 +24,89 @@ self.addEventListener('activate', (event) => {
 
 self.addEventListener('fetch', (event) => {
   const { request } = event;
-  const url = new URL(request.url);
-  if (request.method !== 'GET' || url.origin !== location.origin) return;
-  const isBuilt = url.pathname.includes('/assets/');
-  event.respondWith(isBuilt ? cacheFirst(request) : networkFirst(request));
+  const { href, pathname, origin } = new URL(request.url);
+  // The page asks with `no-store` whether there is a newer version: what is kept is no answer to that.
+  if (request.method !== 'GET' || request.cache === 'no-store' || request.headers.has('range')) return;
+  if (!href.startsWith(scope)) return;
+  const file = (origin + pathname).slice(scope.length);
+  if (file.startsWith('assets/')) event.respondWith(built(request));
+  else if (request.mode === 'navigate' && (file === '' || file === 'index.html'))
+    event.respondWith(startPage(request));
+  else event.respondWith(newest(request, scope + file));
 });
 
-/** The start page, and from it every built file that one of them names. */
+/** All of the build's files, or none: then the version before goes on. */
 async function precache() {
   const cache = await caches.open(CACHE);
-  await cache.addAll([...FIRST, ...FIRST_MODEL].map((url) => new Request(url, { cache: 'reload' })));
-  await addNamed(cache, await cache.match('./', ANY));
-}
-
-async function addNamed(cache, page) {
-  const seen = new Set();
-  const waiting = namesIn(await page.clone().text());
-  for (let name = waiting.pop(); name !== undefined; name = waiting.pop()) {
-    if (seen.has(name)) continue;
-    seen.add(name);
-    const url = `./assets/${name}`;
-    let answer = await cache.match(url, ANY);
-    if (!answer) {
-      answer = await fetch(url);
-      if (!answer.ok) continue;
-      await cache.put(url, answer.clone());
-    }
-    if (/\.(js|css)$/.test(name)) waiting.push(...namesIn(await answer.text()));
-  }
-  return seen;
-}
-
-const namesIn = (text) => [...text.matchAll(HASHED)].map(([name]) => name);
-
-/** Caches of other layouts than this one go. */
-async function tidy() {
-  for (const name of await caches.keys()) if (name !== CACHE) await caches.delete(name);
-}
-
-async function cacheFirst(request) {
-  const cache = await caches.open(CACHE);
-  const held = await cache.match(request, ANY);
-  if (held) return held;
-  const answer = await fetch(request);
-  if (answer.ok) await cache.put(request, answer.clone());
-  return answer;
-}
-
-async function networkFirst(request) {
-  const cache = await caches.open(CACHE);
-  const key = request.mode === 'navigate' ? './' : request;
   try {
-    const answer = await fetch(request);
-    if (answer.ok) {
-      await cache.put(key, answer.clone());
-      if (request.mode === 'navigate') replaceOld(cache, answer.clone());
-    }
-    return answer;
+    await Promise.all(
+      BUILD.files.map(async (file) => {
+        const isHashed = file.startsWith('assets/');
+        const held = isHashed ? await heldAnywhere(file) : undefined;
+        const answer = held ?? (await fetch(file, { cache: isHashed ? 'default' : 'reload' }));
+        if (!answer.ok) throw new Error(`${file} answers ${answer.status}`);
+        await cache.put(file, plain(answer));
+      }),
+    );
   } catch (error) {
-    const held = await cache.match(key, ANY);
-    if (held) return held;
+    await caches.delete(CACHE);
     throw error;
   }
 }
 
-/** A start page just fetched may belong to a new version: get its files, let those of older ones go. */
-async function replaceOld(cache, page) {
+/** The version before this one stays: tabs that are still open with it load parts of it when they need them. */
+async function tidy() {
+  const others = (await ownCaches()).filter((name) => name !== CACHE);
+  const old = ['lissom-1', ...others.slice(0, -1)];
+  await Promise.all(old.map((name) => caches.delete(name)));
+}
+
+async function built(request) {
+  return (await heldAnywhere(request)) ?? fetch(request);
+}
+
+async function startPage(request) {
+  const held = () => caches.match(START, { ...ANY, cacheName: CACHE });
   try {
-    const named = await addNamed(cache, page);
-    if (named.size === 0) return;
-    for (const { url } of await cache.keys())
-      if (url.includes('/assets/') && !named.has(url.slice(url.lastIndexOf('/') + 1)))
-        await cache.delete(url);
-  } catch {
-    // The connection went meanwhile: the next visit does it.
+    const answer = await fetch(request);
+    return answer.status < 500 ? answer : ((await held()) ?? answer);
+  } catch (error) {
+    const page = await held();
+    if (page) return page;
+    throw error;
   }
 }
+
+/** @param address  what it is kept under: never that of another file */
+async function newest(request, address) {
+  try {
+    const answer = await fetch(request);
+    if (answer.status === 200 && !(await caches.match(address, { ...ANY, cacheName: CACHE }))) {
+      const cache = await caches.open(SEEN);
+      await cache.put(address, plain(answer.clone())).catch(() => {}); // no room: it was only for later
+    }
+    return answer;
+  } catch (error) {
+    for (const cacheName of [CACHE, SEEN]) {
+      const held = await caches.match(address, { ...ANY, cacheName });
+      if (held) return held;
+    }
+    throw error;
+  }
+}
+
+/** In the caches of this version or of those before. */
+async function heldAnywhere(request) {
+  for (const cacheName of [CACHE, ...(await ownCaches())]) {
+    const held = await caches.match(request, { ...ANY, cacheName });
+    if (held) return held;
+  }
+  return undefined;
+}
+
+/** Oldest first. */
+const ownCaches = async () => (await caches.keys()).filter((name) => name.startsWith(OWN));
+
+/** An answer that came by a detour may not be given for a page. */
+const plain = (answer) =>
+  answer.redirected ? new Response(answer.body, { status: answer.status, headers: answer.headers }) : answer;

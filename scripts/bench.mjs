@@ -2,9 +2,9 @@
 
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
-import { cmakeBuild } from './lib/cmake.mjs';
+import { nativeBuild } from './lib/cmake.mjs';
 import { record } from './lib/run.mjs';
-import { say } from './lib/say.mjs';
+import { announced, say } from './lib/say.mjs';
 import { root } from './lib/system.mjs';
 import { buildWithEmscripten } from './wasm.mjs';
 
@@ -12,27 +12,26 @@ import { buildWithEmscripten } from './wasm.mjs';
  * WebAssembly under Node; with `--native` natively too. Other arguments go to the programs
  * (`--vertices 10000,50000`). @returns an exit code
  */
-export function runBenchmarks(args) {
+export async function runBenchmarks(args) {
   const programs = readdirSync(path.join(root, 'tests/bench/cpp'))
     .filter((name) => name.endsWith('_bench.cpp'))
     .map((name) => path.basename(name, '.cpp'));
   const rest = args.filter((arg) => arg !== '--native');
-  say('Building the benchmarks');
-  buildWithEmscripten('benches');
+  await announced('Building the benchmarks', () => buildWithEmscripten('benches'));
   const wasm = (name) => [process.execPath, path.join(root, 'build/wasm', `${name}.cjs`)];
-  const failures = measure('WebAssembly', programs, wasm, rest);
+  const failures = await measure('WebAssembly', programs, wasm, rest);
   if (!args.includes('--native')) return failures;
   const folder = path.join(root, 'build/native');
-  cmakeBuild(folder, 'benches');
-  return failures + measure('native', programs, (name) => [path.join(folder, name)], rest);
+  await announced('Building them natively', () => nativeBuild(folder, 'benches'));
+  return failures + (await measure('native', programs, (name) => [path.join(folder, name)], rest));
 }
 
-function measure(flavour, programs, command, args) {
+async function measure(flavour, programs, command, args) {
   let failures = 0;
   for (const name of programs) {
     say(`${name}, ${flavour}`);
     const [program, ...before] = command(name);
-    const { status, output } = record(program, [...before, ...args], { quiet: true });
+    const { status, output } = await record(program, [...before, ...args]);
     const rows = output.split('\n').filter((line) => line.startsWith('{'));
     if (status !== 0 || rows.length === 0) {
       console.error(output);

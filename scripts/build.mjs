@@ -8,17 +8,16 @@ import { root } from './lib/system.mjs';
 import { buildKernel } from './wasm.mjs';
 
 /** @throws if one of them cannot be made */
-export function buildProducts({ types = true } = {}) {
-  say('Building the kernel');
-  buildKernel();
+export async function buildProducts({ types = true } = {}) {
+  await buildKernel();
   if (types) {
     say('Checking types');
-    must(process.execPath, tool('tsc', '-p', '.'));
+    await must(process.execPath, tool('tsc', '-p', '.'));
   }
   say('Building the site into dist/');
-  must(process.execPath, tool('vite', 'build'));
+  await must(process.execPath, tool('vite', 'build'));
   say('Building the command line into dist-cli/');
-  must(process.execPath, tool('vite', 'build', '--config', 'vite.cli.config.ts'));
+  await must(process.execPath, tool('vite', 'build', '--config', 'vite.cli.config.ts'));
   copyFileSync(path.join(root, 'wasm/dist/kernel.wasm'), path.join(root, 'dist-cli/kernel.wasm'));
   chmodSync(path.join(root, 'dist-cli/lissom.mjs'), 0o755);
 }

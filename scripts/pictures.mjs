@@ -83,7 +83,7 @@ async function opened({ model, degrees, low, high, forwards, method, options }) 
   const { app } = window.__lissom;
   await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === model && !entry.recipe));
   await app.evaluator.settled();
-  const rest = app.evaluator.result.peek().input.model.positions;
+  const rest = app.evaluator.result.peek().shown.model.positions;
   const heights = rest.filter((_, i) => i % 3 === 1);
   const foot = heights.reduce((a, b) => Math.min(a, b));
   const tall = heights.reduce((a, b) => Math.max(a, b)) - foot;
@@ -114,8 +114,8 @@ async function opened({ model, degrees, low, high, forwards, method, options }) 
   };
   await app.desk.open({ recipe: { ...recipe, steps: [step] }, title: model });
   await app.evaluator.settled();
-  for (let i = 0; i < 100 && !app.state.whatItDid.value; i++)
-    await new Promise((next) => setTimeout(next, 50));
-  const { volumeRatio, edgeRms, worstStretch } = app.state.whatItDid.value;
+  const { whatItDid } = app.wings.get('deform').state;
+  for (let i = 0; i < 100 && !whatItDid.value; i++) await new Promise((next) => setTimeout(next, 50));
+  const { volumeRatio, edgeRms, worstStretch } = whatItDid.value;
   return `volume ${volumeRatio.toFixed(3)}, edges rms ${edgeRms.toFixed(3)}, worst ${worstStretch.toFixed(2)}`;
 }

@@ -10,20 +10,20 @@ const [verb, ...rest] = process.argv.slice(2);
 const verbs = {
   async start() {
     const { buildKernel } = await import('./wasm.mjs');
-    buildKernel();
+    await buildKernel();
     say('Starting the app; stop it with Ctrl+C');
     return run(process.execPath, tool('vite', ...rest));
   },
 
   async test() {
-    installTestTools();
+    await installTestTools();
     const { runTests } = await import('./test.mjs');
     return runTests(rest);
   },
 
   async build() {
     const { buildProducts } = await import('./build.mjs');
-    buildProducts();
+    await buildProducts();
     return 0;
   },
 
@@ -37,8 +37,8 @@ try {
   const chosen = verbs[verb];
   if (!chosen) throw new Error('Usage: node scripts/setup.mjs start | test [layer …] | build | bench');
   checkNode();
-  installNpmPackages();
-  installBuildTools();
+  await installNpmPackages();
+  await installBuildTools();
   process.exitCode = await chosen();
 } catch (error) {
   console.error(`\n${error.message}`);

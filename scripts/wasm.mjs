@@ -8,6 +8,7 @@ import { cmakeBuild } from './lib/cmake.mjs';
 import { emscripten } from './lib/emscripten.mjs';
 import { fingerprint } from './lib/fingerprint.mjs';
 import { withLock } from './lib/lock.mjs';
+import { announced } from './lib/say.mjs';
 import { root } from './lib/system.mjs';
 
 const dist = path.join(root, 'wasm/dist');
@@ -15,24 +16,28 @@ const build = path.join(root, 'build/wasm');
 const stamp = path.join(dist, 'built-from');
 
 /** Builds `target` in build/wasm. @throws if it fails */
-export function buildWithEmscripten(target) {
+export async function buildWithEmscripten(target) {
   const { env, toolchain, version } = emscripten();
-  cmakeBuild(build, target, { env, settings: [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`], compiler: version });
+  const settings = [`-DCMAKE_TOOLCHAIN_FILE=${toolchain}`];
+  await cmakeBuild(build, target, { env, settings, compiler: version });
 }
 
 /** @returns whether anything had to be built */
-export function buildKernel({ force = false } = {}) {
+export async function buildKernel({ force = false } = {}) {
   const source = () => fingerprint(path.join(root, 'wasm'), ['dist'], emscripten().version);
   const current = () =>
     existsSync(stamp) &&
     existsSync(path.join(dist, 'kernel.wasm')) &&
     readFileSync(stamp, 'utf8') === source();
   if (!force && current()) return false;
-  return withLock(path.join(root, 'build/wasm.lock'), () => {
+  return withLock(path.join(root, 'build/wasm.lock'), async () => {
     if (!force && current()) return false;
     const before = source();
     mkdirSync(dist, { recursive: true });
-    buildWithEmscripten('kernel');
+    const line = existsSync(build)
+      ? 'what has changed of it'
+      : 'about 3 minutes the first time, on two cores';
+    await announced(`Building the kernel (${line})`, () => buildWithEmscripten('kernel'));
     writeFileSync(stamp, before);
     return true;
   });
@@ -40,7 +45,7 @@ export function buildKernel({ force = false } = {}) {
 
 if (import.meta.url === pathToFileURL(process.argv[1]).href) {
   try {
-    const built = buildKernel({ force: process.argv.includes('--force') });
+    const built = await buildKernel({ force: process.argv.includes('--force') });
     console.log(built ? 'wasm/dist is built.' : 'wasm/dist is up to date.');
   } catch (error) {
     console.error(error.message);

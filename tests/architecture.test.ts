@@ -1,18 +1,12 @@
-import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { expect, test } from 'vitest';
-import { breaches, importsOf, includeBreaches, includesOf } from './architecture';
+import { breaches, headerBreaches, importsOf, includeBreaches, includesOf } from './architecture';
+import { filesUnder } from './files';
 
 const root = fileURLToPath(new URL('..', import.meta.url));
 
-function filesUnder(folder: string, ends: readonly string[]): string[] {
-  return readdirSync(path.join(root, folder)).flatMap((name) => {
-    const file = `${folder}/${name}`;
-    if (statSync(path.join(root, file)).isDirectory()) return filesUnder(file, ends);
-    return ends.some((end) => file.endsWith(end)) ? [file] : [];
-  });
-}
 const text = (file: string) => readFileSync(path.join(root, file), 'utf8');
 
 test('no file of web/ imports from a floor above its own', () => {
@@ -25,6 +19,23 @@ test('no room of wasm/ includes a sibling, and none knows Emscripten', () => {
   const files = [...filesUnder('wasm/include', ['.h']), ...filesUnder('wasm/src', ['.h', '.cpp'])];
   expect(files.length).toBeGreaterThan(10);
   expect(files.flatMap((file) => includeBreaches(file, includesOf(text(file))))).toEqual([]);
+});
+
+test('every header of wasm/ has a test of its stem that includes it', () => {
+  const headers = filesUnder('wasm/include', ['.h']);
+  const tests = filesUnder('tests/wasm', ['_test.cpp']);
+  expect(headers.length).toBeGreaterThan(60);
+  expect(headerBreaches(headers, new Map(tests.map((file) => [file, includesOf(text(file))])))).toEqual([]);
+});
+
+test.each<[what: string, file: string, included: string, breaches: number]>([
+  ['its own test', 'tests/wasm/solve/order_test.cpp', 'lissom/solve/order.h', 0],
+  ['a test that looks elsewhere', 'tests/wasm/solve/order_test.cpp', 'lissom/solve/graph.h', 1],
+  ['a test of another name', 'tests/wasm/solve/ordering_test.cpp', 'lissom/solve/order.h', 1],
+  ['a test in another room', 'tests/wasm/mesh/order_test.cpp', 'lissom/solve/order.h', 1],
+])('a header with %s', (_, file, included, count) => {
+  const found = headerBreaches(['wasm/include/lissom/solve/order.h'], new Map([[file, [included]]]));
+  expect(found).toHaveLength(count);
 });
 
 const forbidden: [file: string, imported: string][] = [
@@ -67,9 +78,9 @@ test.each(allowed)('%s may import %s', (file, imported) => {
 });
 
 test.each([
-  ['wasm/src/solve/order.cpp', 'lissom/deform/polar.h'],
+  ['wasm/src/solve/order.cpp', 'lissom/deform/measure.h'],
   ['wasm/include/lissom/mesh/types.h', 'lissom/solve/sparse_cholesky.h'],
-  ['wasm/src/hair/field.cpp', 'lissom/deform/polar.h'],
+  ['wasm/src/hair/field.cpp', 'lissom/deform/measure.h'],
   ['wasm/src/deform/session.cpp', 'lissom/merge/seam.h'],
   ['wasm/src/curve/thin.cpp', '../match/pairs.h'],
   ['wasm/src/mesh/types.cpp', 'emscripten/val.h'],
@@ -78,8 +89,8 @@ test.each([
 });
 
 test.each([
-  ['wasm/src/merge/seam.cpp', 'lissom/deform/polar.h'],
-  ['wasm/src/match/pairs.cpp', 'lissom/deform/polar.h'],
+  ['wasm/src/merge/seam.cpp', 'lissom/deform/measure.h'],
+  ['wasm/src/match/pairs.cpp', 'lissom/deform/measure.h'],
   ['wasm/src/deform/session.cpp', 'lissom/solve/sparse_cholesky.h'],
   ['wasm/src/solve/order.cpp', 'graph.h'],
   ['wasm/src/mesh/types.cpp', 'Eigen/Core'],

@@ -38,14 +38,16 @@ export function importsOf(source: string): string[] {
   return [...code.matchAll(forms)].map((match) => match[1] ?? match[2] ?? match[3] ?? '');
 }
 
-/** What each room may include beside itself. */
+/** Those that are loaded only when they are needed: `import()` and workers. */
+export const lazyImportsOf = (source: string): string[] =>
+  [...source.matchAll(/(?:\bimport\(|new URL\()\s*['"]([^'"]+)['"]/g)].map((match) => match[1] ?? '');
+
+/** What a room may include beside itself, unless it says more below. */
+const ROOM: readonly string[] = ['mesh', 'solve'];
 const ROOMS: Record<string, readonly string[]> = {
   mesh: [],
   solve: ['mesh'],
-  deform: ['mesh', 'solve'],
   merge: ['mesh', 'solve', 'deform'],
-  hair: ['mesh', 'solve'],
-  curve: ['mesh', 'solve'],
   match: ['mesh', 'solve', 'deform'],
 };
 
@@ -58,7 +60,7 @@ export function includeBreaches(file: string, includes: readonly string[]): stri
       const target = name.startsWith('lissom/')
         ? name.split('/')[1]
         : name.startsWith('.') && roomOf(path.posix.join(path.posix.dirname(file), name));
-      return target && target !== room && !ROOMS[room]?.includes(target);
+      return target && target !== room && !(ROOMS[room] ?? ROOM).includes(target);
     })
     .map((name) => `${file} includes ${name}`);
 }
@@ -68,3 +70,21 @@ const roomOf = (file: string): string => file.match(/^wasm\/(?:include\/lissom|s
 
 export const includesOf = (source: string): string[] =>
   [...source.matchAll(/^\s*#\s*include\s*["<]([^">]+)[">]/gm)].map((match) => match[1] ?? '');
+
+/**
+ * A header is proved by a test of its own stem that includes it.
+ * @param testIncludes what each test includes, by its path from the root
+ * @returns one sentence per header without one
+ */
+export function headerBreaches(
+  headers: readonly string[],
+  testIncludes: ReadonlyMap<string, readonly string[]>,
+): string[] {
+  return headers.flatMap((header) => {
+    const name = header.replace(/^wasm\/include\//, '');
+    const test = name.replace(/^lissom\/(.*)\.h$/, 'tests/wasm/$1_test.cpp');
+    const includes = testIncludes.get(test);
+    if (!includes) return [`${header} has no ${test}`];
+    return includes.includes(name) ? [] : [`${test} does not include ${name}`];
+  });
+}

@@ -3,12 +3,11 @@
 import { buildApp } from './app/app';
 import { browserWorld, followFrameRate, keepOffline, listen } from './app/browser';
 import { t } from './app/i18n';
-import type { Panes } from './app/merge/panes';
+import type { Pane } from './app/panes';
 import { start } from './app/start';
 import { LissomError } from './core/errors';
 import { startKernel } from './kernel/spawn';
 import { renderApp } from './ui/app';
-import type { ViewportPort } from './view/types';
 import { Viewport } from './view/viewport';
 
 /** `?test=1`: no motion, no antialiasing; for end-to-end tests. */
@@ -22,41 +21,36 @@ function place(): { readonly frame: HTMLElement; readonly canvas: HTMLCanvasElem
   return { frame, canvas };
 }
 
-const places = { main: place(), source: place(), target: place() };
-const viewportIn = ({ frame, canvas }: ReturnType<typeof place>): ViewportPort =>
+/** @throws LissomError  `webgl-missing` */
+const viewportIn = ({ frame, canvas }: ReturnType<typeof place>) =>
   new Viewport(canvas, { container: frame, test });
 
-function makeViewport(): { viewport: ViewportPort | null; problem?: unknown } {
+function makePane(): Pane | null {
+  const held = place();
   try {
-    return { viewport: viewportIn(places.main) };
-  } catch (error) {
-    return { viewport: null, problem: error };
-  }
-}
-
-/** Browsers give a page a limited number of 3D canvases: these are made when two models are to be merged. */
-function makePanes(): Panes | null {
-  try {
-    return { source: viewportIn(places.source), target: viewportIn(places.target) };
+    return { frame: held.frame, viewport: viewportIn(held) };
   } catch {
     return null;
   }
 }
 
-const { viewport, problem } = makeViewport();
-const app = buildApp(browserWorld({ kernel: startKernel(), viewport, panes: makePanes }));
+const main = place();
+let viewport: Viewport | null = null;
+let problem: unknown;
+try {
+  viewport = viewportIn(main);
+} catch (error) {
+  problem = error;
+}
+const app = buildApp(browserWorld({ kernel: startKernel(), viewport, pane: makePane }));
 listen(app);
 followFrameRate(app);
-renderApp(document.getElementById('app')!, app, {
-  main: places.main.frame,
-  source: places.source.frame,
-  target: places.target.frame,
-});
+renderApp(document.getElementById('app')!, app, main.frame);
 if (problem) {
   app.messages.toast('bad', problem instanceof LissomError ? t('error.no-webgl') : String(problem));
 }
 
-places.main.canvas.addEventListener('webglcontextrestored', () =>
+main.canvas.addEventListener('webglcontextrestored', () =>
   app.messages.toast('info', t('toast.picture-lost')),
 );
 const ready = start(app, location.href)

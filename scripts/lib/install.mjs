@@ -4,7 +4,7 @@ import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { emscriptenFolder } from './emscripten.mjs';
 import { must, run, tool } from './run.mjs';
-import { say } from './say.mjs';
+import { announced } from './say.mjs';
 import { chromium, onPath, root } from './system.mjs';
 
 const header = (name) =>
@@ -36,10 +36,12 @@ export function checkNode() {
 }
 
 /** `npm ci`, unless node_modules holds what the lock file asks for. */
-export function installNpmPackages() {
+export async function installNpmPackages() {
   if (packagesMatchLock()) return;
-  say('Installing npm packages');
-  must('npm', ['ci', '--no-audit', '--no-fund'], { shell: process.platform === 'win32' });
+  const shell = process.platform === 'win32';
+  await announced('Installing npm packages (about half a minute)', () =>
+    must('npm', ['ci', '--no-audit', '--no-fund'], { shell }),
+  );
 }
 
 function packagesMatchLock() {
@@ -56,28 +58,31 @@ function packagesMatchLock() {
 export const installBuildTools = () => install(building);
 
 /** What the tests need beside that. */
-export function installTestTools() {
+export async function installTestTools() {
   if (apt() || browser.found()) return install([...testing, browser]);
-  install(testing);
-  say('Installing a browser for the tests');
-  must(process.execPath, tool('playwright', 'install', 'chromium'));
+  await install(testing);
+  await announced('Installing a browser for the tests (about a minute)', () =>
+    must(process.execPath, tool('playwright', 'install', 'chromium')),
+  );
 }
 
 let listsRefreshed = false;
 
-function install(wanted) {
+async function install(wanted) {
   const missing = wanted.filter(({ found }) => !found());
   if (missing.length === 0) return;
   const names = missing.map(({ name }) => name).join(', ');
   const become = apt();
   if (!become) throw new Error(`Please install: ${names}. Then run this again.`);
-  say(`Installing ${names}`);
   const [program, ...before] = [...become, 'apt-get'];
   const env = { ...process.env, DEBIAN_FRONTEND: 'noninteractive' };
   const packages = missing.map(({ debian }) => debian);
-  listsRefreshed ||= run(program, [...before, 'update', '-q'], { env }) === 0;
-  if (!listsRefreshed) console.warn('The package lists could not be refreshed; trying with those at hand.');
-  must(program, [...before, 'install', '-y', '-q', '--no-install-recommends', ...packages], { env });
+  const load = [...before, 'install', '-y', '-q', '--no-install-recommends', ...packages];
+  await announced(`Installing ${names} (a minute or two)`, async () => {
+    listsRefreshed ||= (await run(program, [...before, 'update', '-q'], { env })) === 0;
+    if (!listsRefreshed) console.warn('The package lists could not be refreshed; trying with those at hand.');
+    await must(program, load, { env });
+  });
 }
 
 /** How to become root for apt-get, as the start of a command line; undefined where that is not the way. */

@@ -11,24 +11,36 @@ import { root } from './system.mjs';
 const reports = path.join(root, 'build/reports');
 const node = process.execPath;
 
+/**
+ * In the order they are begun. A layer that keeps only one core busy says so with `beside`: once it is built, what
+ * comes after it is begun too. The sanitizers' tests take longest, so they begin first.
+ */
 export const layers = [
-  { name: 'lint', run: () => check(run(node, tool('biome', 'ci', '.'))) },
-  { name: 'types', run: () => check(run(node, tool('tsc', '-p', '.'))) },
+  { name: 'lint', run: async () => check(await run(node, tool('biome', 'ci', '.'))) },
+  { name: 'types', run: async () => check(await run(node, tool('tsc', '-p', '.'))) },
   { name: 'kernel', run: kernel },
-  { name: 'C++', run: () => doctest(false) },
-  { name: 'C++ under sanitizers', run: () => doctest(true) },
+  { name: 'C++ under sanitizers', build: () => buildTests(true), beside: doctest },
+  { name: 'C++', build: () => buildTests(false), beside: doctest },
   { name: 'units', run: vitest },
   { name: 'products', run: products },
   { name: 'browser', run: playwright },
 ];
 
-/** @returns counts; a layer that ends badly without a count is one failure */
-export function runLayer(layer) {
+/**
+ * Begins a layer and waits until the next one may begin.
+ *
+ * @returns `over`, a promise of counts, seconds and, for a layer that went on beside others, its output. A layer that
+ *   ends badly without a count is one failure
+ */
+export async function begin({ name, run, build, beside }) {
+  const started = performance.now();
+  const outcome = (counts) => ({ name, seconds: (performance.now() - started) / 1000, ...counts });
+  const failure = ({ message }) => outcome({ passed: 0, failed: 1, skipped: 0, output: `${message}\n` });
   try {
-    return layer.run();
+    if (!beside) return { over: Promise.resolve(outcome(await run())) };
+    return { over: beside(await build()).then(outcome, failure) };
   } catch (error) {
-    console.error(error.message);
-    return { passed: 0, failed: 1, skipped: 0 };
+    return { over: Promise.resolve(failure(error)) };
   }
 }
 
@@ -40,23 +52,22 @@ const settled = (status, { passed, failed, skipped }) => ({
   skipped,
 });
 
-function kernel() {
-  buildKernel();
+async function kernel() {
+  await buildKernel();
   return check(0);
 }
 
-function doctest(sanitize) {
-  const program = buildTests(sanitize);
-  const { status, output } = record(program, []);
+async function doctest(program) {
+  const { status, output } = await record(program, []);
   const counts = output.match(/test cases:\s*\d+ \|\s*(\d+) passed \|\s*(\d+) failed \|\s*(\d+) skipped/);
   const [passed = 0, failed = 0, skipped = 0] = counts?.slice(1).map(Number) ?? [];
-  return settled(counts ? status : 1, { passed, failed, skipped });
+  return { ...settled(counts ? status : 1, { passed, failed, skipped }), output };
 }
 
-function vitest() {
+async function vitest() {
   const file = fresh('vitest.json');
   const reporters = ['--reporter=default', '--reporter=json', `--outputFile.json=${file}`];
-  const status = run(node, tool('vitest', 'run', ...reporters));
+  const status = await run(node, tool('vitest', 'run', ...reporters));
   const { numPassedTests, numFailedTests, numPendingTests, numTodoTests } = read(file);
   return settled(status, {
     passed: numPassedTests,
@@ -65,15 +76,15 @@ function vitest() {
   });
 }
 
-function products() {
-  buildProducts({ types: false }); // that is a layer of its own
-  return check(run(node, ['dist-cli/lissom.mjs', '--version']));
+async function products() {
+  await buildProducts({ types: false }); // that is a layer of its own
+  return check(await run(node, ['dist-cli/lissom.mjs', '--version']));
 }
 
-function playwright() {
+async function playwright() {
   const file = fresh('playwright.json');
   const env = { ...process.env, PLAYWRIGHT_JSON_OUTPUT_NAME: file };
-  const status = run(node, tool('playwright', 'test', '--reporter=list,json'), { env });
+  const status = await run(node, tool('playwright', 'test', '--reporter=list,json'), { env });
   const { expected, unexpected, flaky, skipped } = read(file).stats;
   return settled(status, { passed: expected + flaky, failed: unexpected, skipped });
 }

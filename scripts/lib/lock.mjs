@@ -1,12 +1,13 @@
 import { mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
+import { setTimeout } from 'node:timers/promises';
 
-/** Runs `work` while no other process holds the lock `file`; a lock whose process is gone does not count. */
-export function withLock(file, work) {
+/** Does `work` while no other process holds the lock `file`; a lock whose process is gone does not count. */
+export async function withLock(file, work) {
   mkdirSync(path.dirname(file), { recursive: true });
-  while (!take(file)) Atomics.wait(new Int32Array(new SharedArrayBuffer(4)), 0, 0, 200);
+  while (!take(file)) await setTimeout(200);
   try {
-    return work();
+    return await work();
   } finally {
     rmSync(file, { force: true });
   }

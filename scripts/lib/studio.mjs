@@ -74,10 +74,10 @@ export async function bare({ view = 'home', distance = 1, camera }) {
     for (let i = 0; i < 3; i++) await new Promise(requestAnimationFrame);
   };
   app.state.display.value = { ...app.state.display.value, grid: false };
-  app.state.hair.show.value = { ...app.state.hair.show.value, curves: false, support: false };
+  const hair = app.wings.get('hair')?.state;
+  if (hair) hair.show.value = { ...hair.show.value, curves: false, support: false };
   await drawn();
   app.viewport.setRegions([]);
-  app.viewport.setMarkers([]);
   app.viewport.setView(view);
   await drawn();
   const { position, target, orthographic } = app.viewport.camera;

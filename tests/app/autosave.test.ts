@@ -1,11 +1,12 @@
 import { expect, test } from 'vitest';
 import { MOST_RESTORE_POINTS } from '../../web/app/autosave';
+import { type StoredDocument, selectionOf } from '../../web/app/store';
 import { Browser, Tab } from './world';
 
 async function edited(tab = new Tab()): Promise<Tab> {
   await tab.openCube();
   await tab.addHandle([0, 1], 'Low');
-  tab.app.deform.setPose(0, { translation: [5, 0, 0] });
+  tab.deform.setPose(0, { translation: [5, 0, 0] });
   await tab.app.autosave.flush();
   return tab;
 }
@@ -42,7 +43,7 @@ test('a model of one’s own is kept before the first edit', async () => {
 test('an edit writes what is new and nothing else', async () => {
   const tab = await edited();
   const { written } = tab.browser.store;
-  tab.app.deform.setMethod('naive');
+  tab.deform.setMethod('naive');
   await tab.app.autosave.flush();
   expect(tab.browser.store.written).toBe(written + 1);
 });
@@ -68,12 +69,14 @@ test('two tabs never write over each other', async () => {
   // Opened as a copy of the first, with the same session storage: it gets a restore point of its own.
   const [point] = await second.app.autosave.restorePoints();
   await second.app.autosave.restore(point!.id);
-  second.app.deform.setPose(0, { translation: [9, 0, 0] });
+  await second.app.evaluator.settled();
+  second.deform.setPose(0, { translation: [9, 0, 0] });
   await second.app.autosave.flush();
   expect(browser.store.kept.size).toBe(2);
   const again = first.reloaded();
   await again.app.autosave.restore(point!.id);
-  expect(again.app.deform.pose(0) ?? again.app.document.step?.handles[0]).toMatchObject({
+  await again.app.evaluator.settled();
+  expect(again.deform.step?.handles[0]).toMatchObject({
     matrix: expect.arrayContaining([5]),
   });
 });
@@ -108,12 +111,31 @@ test('the oldest restore points go, with the files nobody names any more', async
 test('a store that refuses is said once, and tried again with the next edit', async () => {
   const tab = await edited();
   tab.browser.store.broken = true;
-  tab.app.deform.setMethod('naive');
+  tab.deform.setMethod('naive');
   await tab.app.autosave.flush();
   expect(tab.app.state.saved.value.kind).toBe('failed');
   expect(tab.toasts.filter((text) => text.includes('the disk is full'))).toHaveLength(1);
   tab.browser.store.broken = false;
-  tab.app.deform.setMethod('implicit');
+  tab.deform.setMethod('implicit');
   await tab.app.autosave.flush();
   expect(tab.app.state.saved.value.kind).toBe('saved');
+});
+
+test('a document kept by an earlier version comes back with its selection', async () => {
+  const tab = await edited();
+  tab.app.document.select(0);
+  await tab.app.autosave.flush();
+  const { kept } = tab.browser.store;
+  const [[id, document]] = [...kept] as [[string, StoredDocument]];
+  // As it was written before any step had items: every selection was of a handle.
+  const entries = document.entries.map(({ selection, ...entry }) => ({
+    ...entry,
+    selection: { step: selection.step, handle: selectionOf(selection).item },
+  }));
+  kept.set(id, { ...document, entries });
+  const later = tab.reloaded();
+  expect(await later.app.autosave.restoreLast()).toBe(true);
+  expect(later.app.document.selection).toEqual({ step: 'deform 1', item: 0 });
+  later.app.document.undo();
+  expect(later.app.document.selection.step).toBe('deform 1');
 });

@@ -1,5 +1,5 @@
 import { expect, test } from 'vitest';
-import { withPose } from '../../web/app/deform-actions';
+import { withPose } from '../../web/app/deform/actions';
 import type { DeformHandle } from '../../web/recipe/recipe';
 import { Tab } from './world';
 
@@ -16,10 +16,10 @@ test('a typed-in move shows, is one step of undo, and undo brings the shape back
   const tab = await cubeWithHandles();
   const { app } = tab;
   const before = positions(tab);
-  app.deform.setPose(0, { translation: [5, 0, 0] });
+  tab.deform.setPose(0, { translation: [5, 0, 0] });
   await app.evaluator.settled();
   expect(positions(tab)[0]).toBe(5);
-  expect(app.deform.pose(0)?.translation).toEqual([5, 0, 0]);
+  expect(tab.deform.pose(0)?.translation).toEqual([5, 0, 0]);
   app.document.undo();
   await app.evaluator.settled();
   expect(positions(tab)).toEqual(before);
@@ -27,7 +27,8 @@ test('a typed-in move shows, is one step of undo, and undo brings the shape back
 
 test('numbers typed in quick succession are one step of undo', async () => {
   const tab = await cubeWithHandles();
-  const { document, deform } = tab.app;
+  const { document } = tab.app;
+  const { deform } = tab;
   const steps = document.entries.length;
   for (const x of [1, 12, 12.5]) deform.setPose(0, { translation: [x, 0, 0] });
   expect(document.entries).toHaveLength(steps + 1);
@@ -35,7 +36,7 @@ test('numbers typed in quick succession are one step of undo', async () => {
 });
 
 test('turning by 90 degrees keeps the middle of the handle where it is', async () => {
-  const { deform } = (await cubeWithHandles()).app;
+  const { deform } = await cubeWithHandles();
   deform.setPose(0, { rotation: [0, 0, 90] });
   expect(deform.pose(0)?.rotation.map((a) => Math.round(a * 1e9) / 1e9)).toEqual([0, 0, 90]);
   expect(deform.pose(0)?.translation).toEqual([0, 0, 0]);
@@ -52,7 +53,9 @@ test('a pure move keeps a shear that the matrix has', () => {
 });
 
 test('numbers that are not finite are ignored', async () => {
-  const { deform, document } = (await cubeWithHandles()).app;
+  const tab = await cubeWithHandles();
+  const { document } = tab.app;
+  const { deform } = tab;
   const { recipe } = document;
   deform.setPose(0, { translation: [Number.NaN, 0, 0] });
   expect(document.recipe).toBe(recipe);
@@ -60,7 +63,8 @@ test('numbers that are not finite are ignored', async () => {
 
 test('a live preview that is cancelled leaves no trace', async () => {
   const tab = await cubeWithHandles();
-  const { deform, document, evaluator, state } = tab.app;
+  const { document, evaluator, state } = tab.app;
+  const { deform } = tab;
   const { recipe } = document;
   const before = positions(tab);
   deform.setPose(0, { translation: [3, 0, 0] }, true);
@@ -76,17 +80,19 @@ test('a live preview that is cancelled leaves no trace', async () => {
 test('selecting is undoable', async () => {
   const { document, state } = (await cubeWithHandles()).app;
   document.select(0);
-  expect(state.selection.value.handle).toBe(0);
+  expect(state.selection.value.item).toBe(0);
   document.undo();
-  expect(state.selection.value.handle).toBe(1);
+  expect(state.selection.value.item).toBe(1);
 });
 
 test('selecting after an undo does not throw away what redo would bring back', async () => {
-  const { document, deform, state } = (await cubeWithHandles()).app;
+  const tab = await cubeWithHandles();
+  const { document, state } = tab.app;
+  const { deform } = tab;
   deform.setPose(0, { translation: [5, 0, 0] });
   document.undo();
   document.select(0);
-  expect(state.selection.value.handle).toBe(0);
+  expect(state.selection.value.item).toBe(0);
   expect(state.canRedo.value).toBe(true);
   document.redo();
   expect(deform.pose(0)?.translation).toEqual([5, 0, 0]);
@@ -94,7 +100,8 @@ test('selecting after an undo does not throw away what redo would bring back', a
 
 test('"apply and continue" starts a new step on the result of the last', async () => {
   const tab = await cubeWithHandles();
-  const { document, deform, evaluator, state } = tab.app;
+  const { document, evaluator, state } = tab.app;
+  const { deform } = tab;
   deform.setPose(0, { translation: [5, 0, 0] });
   deform.setOptions({ removeShear: false });
   deform.applyAndContinue();
@@ -103,14 +110,15 @@ test('"apply and continue" starts a new step on the result of the last', async (
     ['deform 1', 'cube'],
     ['deform 2', 'deform 1'],
   ]);
-  expect(state.step.value?.options.removeShear).toBe(false);
+  expect(deform.step?.options.removeShear).toBe(false);
   expect(positions(tab)[0]).toBe(5);
-  expect(state.selection.value).toEqual({ step: 'deform 2', handle: null });
+  expect(state.selection.value).toEqual({ step: 'deform 2', item: null });
 });
 
 test('an earlier step can be opened again, and what was built on it follows', async () => {
   const tab = await cubeWithHandles();
-  const { document, deform, evaluator } = tab.app;
+  const { document, evaluator } = tab.app;
+  const { deform } = tab;
   deform.setPose(0, { translation: [5, 0, 0] });
   deform.applyAndContinue();
   document.openStep('deform 1');
@@ -123,7 +131,8 @@ test('an earlier step can be opened again, and what was built on it follows', as
 
 test('a step put between two others takes the later one with it', async () => {
   const tab = await cubeWithHandles();
-  const { document, deform } = tab.app;
+  const { document } = tab.app;
+  const { deform } = tab;
   deform.applyAndContinue();
   document.openStep('deform 1');
   deform.applyAndContinue();
@@ -135,7 +144,9 @@ test('a step put between two others takes the later one with it', async () => {
 });
 
 test('a step that is removed leaves the rest in order', async () => {
-  const { document, deform } = (await cubeWithHandles()).app;
+  const tab = await cubeWithHandles();
+  const { document } = tab.app;
+  const { deform } = tab;
   deform.applyAndContinue();
   document.removeStep('deform 2');
   expect(document.recipe.steps).toHaveLength(1);

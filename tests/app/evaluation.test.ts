@@ -12,7 +12,8 @@ async function ready() {
 
 test('of many moves only the first and the newest are computed', async () => {
   const tab = await ready();
-  const { deform, evaluator } = tab.app;
+  const { evaluator } = tab.app;
+  const { deform } = tab;
   tab.kernel.calls.length = 0;
   let release = () => {};
   tab.kernel.before = () => new Promise((done) => (release = done));
@@ -31,7 +32,7 @@ test('a drag does not factor anew', async () => {
   const tab = await ready();
   tab.kernel.calls.length = 0;
   for (let x = 1; x <= 5; x++) {
-    tab.app.deform.setPose(0, { translation: [x, 0, 0] }, true);
+    tab.deform.setPose(0, { translation: [x, 0, 0] }, true);
     await tab.app.evaluator.settled();
   }
   expect(tab.kernel.calls).not.toContain('prepareDeform');
@@ -39,7 +40,8 @@ test('a drag does not factor anew', async () => {
 
 test('while a solve is slow the drag shows the first solve only, and settles on release', async () => {
   const tab = await ready();
-  const { deform, evaluator } = tab.app;
+  const { evaluator } = tab.app;
+  const { deform } = tab;
   tab.kernel.solveSeconds = 0.5;
   deform.setPose(0, { translation: [1, 0, 0] });
   await evaluator.settled();
@@ -62,7 +64,8 @@ test('a step without handles shows its input and asks for no solve', async () =>
 
 test('a failure is said in a sentence and the next edit is computed again', async () => {
   const tab = await ready();
-  const { deform, evaluator } = tab.app;
+  const { evaluator } = tab.app;
+  const { deform } = tab;
   tab.kernel.before = async (method) => {
     if (method === 'deform') throw new LissomError('solver', 'The region is too thin to solve.', 'solver');
   };
@@ -77,10 +80,10 @@ test('a failure is said in a sentence and the next edit is computed again', asyn
 
 test('after an edit it is told what it did', async () => {
   const tab = await ready();
-  tab.app.deform.setPose(0, { translation: [3, 0, 0] });
+  tab.deform.setPose(0, { translation: [3, 0, 0] });
   await tab.app.evaluator.settled();
   await vi.waitFor(() =>
-    expect(tab.app.state.whatItDid.value).toMatchObject({
+    expect(tab.deformState.whatItDid.value).toMatchObject({
       worstStretch: 0.25,
       handlesMet: 2,
       handles: 2,
@@ -91,7 +94,8 @@ test('after an edit it is told what it did', async () => {
 
 test('long work shows progress and a way out, and cancelling says nothing', async () => {
   const tab = await ready();
-  const { deform, evaluator, state } = tab.app;
+  const { evaluator, state } = tab.app;
+  const { deform } = tab;
   let release = () => {};
   tab.kernel.before = () => new Promise((done) => (release = done));
   deform.setOptions({ coherenceRing: 2 });

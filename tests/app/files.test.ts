@@ -64,7 +64,7 @@ test.each(['obj', 'ply', 'stl', 'glb'] as const)('an export to %s has the edited
   const tab = new Tab();
   await tab.openCube();
   await tab.addHandle([0, 1, 2, 3, 4, 5, 6, 7], 'All');
-  tab.app.deform.setPose(0, { translation: [10, 0, 0] });
+  tab.deform.setPose(0, { translation: [10, 0, 0] });
   await tab.app.files.exportModel(format);
   const [saved] = tab.saved;
   expect(saved?.name).toBe(`cube.${format}`);

@@ -1,8 +1,9 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { growsAlike } from '../../web/app/hair/evaluation';
+import { headHeight } from '../../web/app/hair/head-height';
 import { frameHair } from '../../web/app/hair/opening';
 import { fitted } from '../../web/app/hair/refit';
-import { headHeight } from '../../web/app/hair/steps';
+import { growOn } from '../../web/app/hair/start';
 import { LissomError } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
 import type { HairStep } from '../../web/recipe/recipe';
@@ -64,13 +65,13 @@ async function styled(): Promise<Tab> {
 }
 
 function draw(tab: Tab, more: Partial<HairStep> = {}): void {
-  const { document, state } = tab.app;
-  const step = { ...state.hairStep.value!, streams: [stroke], ...more };
+  const { document } = tab.app;
+  const step = { ...tab.hairState.step.value!, streams: [stroke], ...more };
   const steps = document.recipe.steps.map((each) => (each.id === step.id ? step : each));
-  document.commit('Draw', { ...document.recipe, steps }, { step: step.id, handle: 0 });
+  document.commit('Draw', { ...document.recipe, steps }, { step: step.id, item: 0 });
 }
 
-const step = (tab: Tab): HairStep => tab.app.state.hairStep.value!;
+const step = (tab: Tab): HairStep => tab.hairState.step.value!;
 
 test('the hair workspace opens on a head, with the stream tool in hand', async () => {
   const tab = new Tab();
@@ -103,15 +104,16 @@ test('somebody’s work is joined by a head, and undo takes it out again', async
 test('a model of one’s own grows hair once a scalp is painted on it, and not before', async () => {
   const tab = new Tab();
   await tab.openCube();
-  tab.app.workspaces.growHere();
+  await tab.app.wings.load('hair');
+  growOn(tab.app, 'cube', '');
   await tab.app.evaluator.settled();
   expect(tab.app.state.tool.value).toBe('paint-scalp');
-  expect(tab.app.hair.scalpSize()).toBe(0);
+  expect(tab.hair.scalpSize()).toBe(0);
   expect(tab.kernel.grown).toEqual([]);
   expect(tab.toasts).toEqual([]);
   draw(tab, { scalp: [2, 3, 6, 7] });
   await tab.app.evaluator.settled();
-  expect(tab.app.hair.scalpSize()).toBe(4);
+  expect(tab.hair.scalpSize()).toBe(4);
   expect(tab.app.evaluator.result.value!.strands).not.toBeNull();
 });
 
@@ -128,18 +130,18 @@ test('the first strands are there before all of them', async () => {
   const { count } = step(tab).strands;
   expect(tab.kernel.grown.slice(-2)).toEqual([PREVIEW_STRANDS, count]);
   expect(tab.app.evaluator.result.value).toMatchObject({ settled: true });
-  expect(tab.app.state.hair.figures.value).toMatchObject({ strands: count, constraints: 10, grow: 300 });
+  expect(tab.hairState.figures.value).toMatchObject({ strands: count, constraints: 10, grow: 300 });
 });
 
 test('while a slider is held only the first strands grow; all of them when it is let go', async () => {
   const tab = await styled();
   tab.kernel.grown.length = 0;
-  tab.app.hair.update({ detail: { curl: 0.3 } }, true);
+  tab.hair.update({ detail: { curl: 0.3 } }, true);
   await tab.app.evaluator.settled();
-  tab.app.hair.update({ detail: { curl: 0.6 } }, true);
+  tab.hair.update({ detail: { curl: 0.6 } }, true);
   await tab.app.evaluator.settled();
   expect(tab.kernel.grown).toEqual([PREVIEW_STRANDS, PREVIEW_STRANDS]);
-  tab.app.hair.finish();
+  tab.hair.finish();
   await tab.app.evaluator.settled();
   expect(tab.kernel.grown.slice(2)).toEqual([step(tab).strands.count]);
   expect(step(tab).detail.curl).toBe(0.6);
@@ -160,9 +162,9 @@ test('a new stroke does not wait for the strands of the last one', async () => {
       : Promise.resolve();
   let release = () => {};
   tab.kernel.grown.length = 0;
-  tab.app.hair.update({ length: { variation: 0.4 } });
+  tab.hair.update({ length: { variation: 0.4 } });
   await vi.waitFor(() => expect(aborted).toBe(1));
-  tab.app.hair.update({ length: { variation: 0.5 } }, true);
+  tab.hair.update({ length: { variation: 0.5 } }, true);
   release();
   await tab.app.evaluator.settled();
   expect(tab.app.evaluator.result.value!.step).toMatchObject({ length: { variation: 0.5 } });
@@ -173,9 +175,9 @@ test('a change of colour finds the strands as they are', async () => {
   const tab = await styled();
   const before = tab.app.evaluator.result.value!.strands!;
   tab.kernel.grown.length = 0;
-  tab.app.hair.update({ material: { melanin: 0.1 } }, true);
+  tab.hair.update({ material: { melanin: 0.1 } }, true);
   await tab.app.evaluator.settled();
-  tab.app.hair.update({ material: { color: '#2233ff' } });
+  tab.hair.update({ material: { color: '#2233ff' } });
   await tab.app.evaluator.settled();
   const after = tab.app.evaluator.result.value!.strands!;
   expect(tab.kernel.grown).toEqual([]);
@@ -187,14 +189,14 @@ test('a change of colour finds the strands as they are', async () => {
 test('a field set back to its default leaves the recipe', async () => {
   const tab = await styled();
   const { material } = step(tab);
-  tab.app.hair.update({ material: { color: '#112233' } });
-  tab.app.hair.update({ material: { color: undefined } });
+  tab.hair.update({ material: { color: '#112233' } });
+  tab.hair.update({ material: { color: undefined } });
   expect(step(tab).material).toEqual(material);
 });
 
 test('curves are named by kind and number until they have names of their own', async () => {
   const tab = await styled();
-  const { hair } = tab.app;
+  const { hair } = tab;
   hair.duplicate(0);
   expect([hair.primitiveName(0), hair.primitiveName(1)]).toEqual(['Stream 1', 'Stream 2']);
   hair.rename(0, '  Fringe ');
@@ -212,15 +214,15 @@ test('curves are named by kind and number until they have names of their own', a
 test('names and hiding grow nothing anew', async () => {
   const tab = await styled();
   tab.kernel.grown.length = 0;
-  tab.app.hair.rename(0, 'Fringe');
-  tab.app.hair.hide(0, true);
+  tab.hair.rename(0, 'Fringe');
+  tab.hair.hide(0, true);
   await tab.app.evaluator.settled();
   expect(tab.kernel.grown).toEqual([]);
 });
 
 test('another head takes the style along: strokes move as the box around the scalp does', async () => {
   const tab = await styled();
-  await tab.app.hair.setHead('head-male');
+  await tab.hair.setHead('head-male');
   await tab.app.evaluator.settled();
   expect(step(tab).model).toBe('head-male');
   expect(Object.keys(tab.app.document.recipe.models)).toEqual(['head-male']);
@@ -255,16 +257,17 @@ test('strands are written in each format offered, and without hair that is said'
   shown.points.forEach((_, i) => {
     shown.points[i] = (i % 6) / 10;
   });
-  tab.app.hair.update({ strands: { count: 5 } });
-  for (const { format } of tab.app.files.strandChoices) {
+  tab.hair.update({ strands: { count: 5 } });
+  const group = tab.app.files.exportGroup()!;
+  for (const { format } of group.choices) {
     const before = tab.saved.length;
-    await tab.app.files.exportStrands(format, false);
+    await tab.app.files.exportOf(group, format, false);
     expect(tab.saved.length, format).toBe(before + 1);
     expect(tab.saved.at(-1)!.name).toBe(`head-female.${format}`);
     expect(tab.saved.at(-1)!.bytes.length).toBeGreaterThan(20);
   }
-  tab.app.hair.update({ strands: { count: 0 } });
-  await expect(tab.app.files.exportStrands('obj', false)).rejects.toThrow('There is no hair yet');
+  tab.hair.update({ strands: { count: 0 } });
+  await expect(tab.app.files.exportOf(group, 'obj', false)).rejects.toThrow('There is no hair yet');
 });
 
 test('the status line says what the tool in hand does', async () => {
@@ -285,7 +288,7 @@ test('a style opens without its curves; a tool or a selected curve brings them',
   const tab = await styled();
   const { state, document, commands, desk } = tab.app;
   const { recipe } = document;
-  const curves = () => state.hair.show.value.curves;
+  const curves = () => tab.hairState.show.value.curves;
   expect(curves()).toBe(true);
   const open = () => desk.open({ recipe, title: 'style' });
   await open();
@@ -305,7 +308,8 @@ test('a style opens without its curves; a tool or a selected curve brings them',
 
 test('the first sight of a style is head and hair together; later strands leave the camera alone', async () => {
   const tab = await styled();
-  const { state, evaluator, document, desk, hair } = tab.app;
+  const { state, evaluator, document, desk } = tab.app;
+  const { hair } = tab;
   const seen: string[] = [];
   const viewport = { fit: () => seen.push('fit'), setView: (preset: string) => seen.push(preset) };
   const stop = frameHair({ viewport, state, evaluator });

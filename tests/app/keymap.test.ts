@@ -1,6 +1,7 @@
 import { describe, expect, test } from 'vitest';
 import { isSingleKey, type KeyPress, keyLabel, keyOf, ownsKey } from '../../web/app/keys';
 import { DEFAULT_SETTINGS, StoredSettings } from '../../web/app/settings';
+import { WORKSPACES } from '../../web/app/wings';
 import { MemoryStorage, Tab } from './world';
 
 const press = (key: string, how: Partial<KeyPress> = {}): KeyPress => ({
@@ -64,21 +65,24 @@ describe('a key press as text', () => {
 });
 
 describe('the keymap', () => {
-  test('in no workspace does a shortcut have two owners', () => {
-    const { commands } = new Tab().app;
-    for (const place of ['deform', 'hair']) {
+  test('in no workspace does a shortcut have two owners', async () => {
+    const { commands, wings } = new Tab().app;
+    await wings.loadAll();
+    for (const place of WORKSPACES) {
       const here = commands.all.filter(({ workspace = place }) => workspace === place);
       const keys = here.flatMap(({ keys }) => keys ?? []);
       expect(new Set(keys).size).toBe(keys.length);
     }
   });
 
-  test('what is remapped is remembered, and whoever had the key loses it', () => {
+  test('what is remapped is remembered, and whoever had the key loses it', async () => {
     const tab = new Tab();
+    await tab.app.wings.loadAll();
     tab.app.keymap.rebind('view.grid', ['B']);
     expect(tab.app.keymap.ownerOf('B')).toBe('view.grid');
     expect(tab.app.keymap.keys('tool.paint-roi')).toEqual([]);
     const again = tab.reloaded();
+    await again.app.wings.loadAll();
     expect(again.app.keymap.ownerOf('B')).toBe('view.grid');
     again.app.keymap.resetAll();
     expect(again.app.keymap.ownerOf('B')).toBe('tool.paint-roi');

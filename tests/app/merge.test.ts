@@ -46,21 +46,21 @@ async function bowlOpen(): Promise<Tab> {
 async function lidChosen(): Promise<Tab> {
   const tab = await bowlOpen();
   await tab.app.commands.run('workspace.merge');
-  tab.app.merge.choosePart('lid', { builtin: 'lid' });
+  tab.app.state.choosing.value!.choose('lid', { builtin: 'lid' });
   await tab.app.evaluator.settled();
   return tab;
 }
 
-const merged = (tab: Tab) => tab.app.state.merge.figures.value;
-const step = (tab: Tab) => tab.app.state.mergeStep.value!;
+const merged = (tab: Tab) => tab.mergeState.figures.value;
+const step = (tab: Tab) => tab.mergeState.step.value!;
 
 test('the merge workspace asks for a part, and leaves no trace where none is chosen', async () => {
   const tab = await bowlOpen();
   const { recipe } = tab.app.document;
   await tab.app.commands.run('workspace.merge');
   expect(tab.app.state.workspace.value).toBe('merge');
-  expect(tab.app.state.choosing.value).toBe(true);
-  expect(tab.app.state.merge.sides.value.target!.model.name).toBe('bowl.obj');
+  expect(tab.app.state.choosing.value).not.toBeNull();
+  expect(tab.mergeState.sides.value.target!.model.name).toBe('bowl.obj');
   await tab.app.commands.run('workspace.deform');
   expect(tab.app.state.workspace.value).toBe('deform');
   expect(tab.app.document.recipe).toBe(recipe);
@@ -70,7 +70,7 @@ test('the part begins a step on the open model, to be marked before anything is 
   const tab = await lidChosen();
   expect(step(tab)).toMatchObject({ id: 'merge 1', source: 'lid', target: 'bowl', boundaries: [] });
   expect(tab.app.state.tool.value).toBe('mark-region');
-  expect(tab.app.state.merge.sides.value.source!.model.name).toBe('lid');
+  expect(tab.mergeState.sides.value.source!.model.name).toBe('lid');
   expect(merged(tab)).toBeNull();
   tab.app.document.undo();
   expect(tab.app.state.workspace.value).toBe('deform');
@@ -84,7 +84,7 @@ test('one button joins two models of one opening each, and writes down what it f
   expect(step(tab).boundaries.map(({ source, target }) => [source.length, target.length])).toEqual([
     [20, 31],
   ]);
-  expect(tab.app.merge.pins().length).toBeGreaterThan(0);
+  expect(tab.merge.joins.pins().length).toBeGreaterThan(0);
   expect(step(tab).boundaries[0]!.keys).toEqual([]);
   tab.app.document.undo();
   await tab.app.evaluator.settled();
@@ -99,30 +99,30 @@ test('a found pin that is moved is written into the recipe, and the merge follow
   await tab.app.commands.run('merge.run');
   await tab.app.evaluator.settled();
   const before = tab.app.evaluator.result.value!.positions;
-  const [boundary] = tab.app.merge.boundaries();
+  const [boundary] = tab.merge.joins.boundaries();
   const keys: [number, number][] = boundary!.keys.map(([s, t]) => [(s + 5) % 20, t]);
-  tab.app.merge.setBoundaries('Move', [{ ...boundary!, keys }], 0);
+  tab.merge.joins.setBoundaries('Move', [{ ...boundary!, keys }], 0);
   await tab.app.evaluator.settled();
   expect(step(tab).boundaries[0]!.keys).toEqual(keys);
   expect(tab.app.evaluator.result.value!.positions).not.toEqual(before);
-  tab.app.merge.removePin(0);
+  tab.merge.joins.removePin(0);
   expect(step(tab).boundaries[0]!.keys).toHaveLength(keys.length - 1);
 });
 
 test('two openings picked by hand are a pair; picking the same one again lets it go', async () => {
   const tab = await lidChosen();
-  const { merge, state } = tab.app;
+  const { merge } = tab;
   const loop = (side: 'source' | 'target'): Loop => merge.aids.of(side)!.loops[0]!;
-  merge.pickLoop('target', loop('target'));
-  expect(state.merge.picked.value?.side).toBe('target');
-  merge.pickLoop('target', loop('target'));
-  expect(state.merge.picked.value).toBeNull();
-  merge.pickLoop('target', loop('target'));
-  merge.pickLoop('source', loop('source'));
+  merge.joins.pickLoop('target', loop('target'));
+  expect(tab.mergeState.picked.value?.side).toBe('target');
+  merge.joins.pickLoop('target', loop('target'));
+  expect(tab.mergeState.picked.value).toBeNull();
+  merge.joins.pickLoop('target', loop('target'));
+  merge.joins.pickLoop('source', loop('source'));
   await tab.app.evaluator.settled();
-  expect(state.merge.picked.value).toBeNull();
+  expect(tab.mergeState.picked.value).toBeNull();
   expect(merged(tab)).toMatchObject({ closed: true });
-  merge.removePair(0);
+  merge.joins.removePair(0);
   await tab.app.evaluator.settled();
   expect(merged(tab)).toBeNull();
 });
@@ -134,8 +134,8 @@ test('what is merged can be exported, deformed, and merged again', async () => {
   for (const format of ['obj', 'ply', 'stl', 'glb'] as const) await tab.app.files.exportModel(format);
   expect(tab.saved.map(({ bytes }) => bytes.length > 1000)).toEqual([true, true, true, true]);
   await tab.app.commands.run('merge.another');
-  expect(tab.app.state.choosing.value).toBe(true);
-  await tab.app.merge.cancelChoosing();
+  expect(tab.app.state.choosing.value).not.toBeNull();
+  tab.merge.part.cancel();
   await tab.app.commands.run('merge.deform');
   await tab.app.evaluator.settled();
   expect(tab.app.state.step.value).toMatchObject({ id: 'deform 2', model: 'merge 1' });
@@ -155,38 +155,46 @@ test('a dropped file becomes the part while one is asked for, and a link needs o
 
 test('another part keeps what is marked on the target', async () => {
   const tab = await lidChosen();
-  tab.app.merge.setMark('target', Uint32Array.from([0, 1, 2]), 'Mark');
+  tab.merge.marking.setMark('target', Uint32Array.from([0, 1, 2]), 'Mark');
   await tab.app.commands.run('merge.part');
-  tab.app.merge.choosePart('lid 2', { builtin: 'lid' });
+  tab.app.state.choosing.value!.choose('lid 2', { builtin: 'lid' });
   expect(step(tab)).toMatchObject({ id: 'merge 1', source: 'lid 2' });
-  expect(tab.app.merge.markSize('target')).toBe(3);
+  expect(tab.merge.marking.markSize('target')).toBe(3);
   expect(Object.keys(tab.app.document.recipe.models)).toEqual(['bowl', 'lid 2']);
 });
 
 test('marks that cannot be joined are told in words that say what to do, and nothing is lost', async () => {
   const tab = await lidChosen();
-  const { merge, state, evaluator, document } = tab.app;
+  const { evaluator, document } = tab.app;
+  const { merge } = tab;
   const vertices = (from: number, to: number) => Uint32Array.from({ length: to - from }, (_, i) => from + i);
-  merge.setMark('source', vertices(120, 241), 'Mark');
-  merge.setMark('feature', vertices(100, 241), 'Mark');
-  merge.setMark('target', vertices(200, 373), 'Mark');
+  merge.marking.setMark('source', vertices(120, 241), 'Mark');
+  merge.marking.setMark('feature', vertices(100, 241), 'Mark');
+  merge.marking.setMark('target', vertices(200, 373), 'Mark');
   const before = document.recipe;
   // Without the button's tidying.
-  state.merge.held.value = null;
+  tab.mergeState.letGo();
   await evaluator.settled();
-  expect(state.merge.problem.value).toContain('yellow');
+  expect(tab.mergeState.problem.value).toContain('yellow');
   expect(merged(tab)).toBeNull();
   expect(document.recipe).toBe(before);
   await tab.app.commands.run('merge.run');
   await evaluator.settled();
-  expect(document.recipe.steps.at(-1)).toMatchObject({ type: 'merge' });
+  // The button takes the yellow mark into the red one: all that was painted is still there, and still no ring around it.
+  expect(tab.mergeState.problem.value).toContain('yellow');
+  expect(merged(tab)).toBeNull();
+  expect((['source', 'feature', 'target'] as const).map((mark) => merge.marking.markSize(mark))).toEqual([
+    141, 141, 173,
+  ]);
+  document.undo();
+  expect(document.recipe).toBe(before);
 });
 
 test('stopping a merge leaves its button to begin again', async () => {
   const tab = await lidChosen();
   await tab.app.commands.run('merge.run');
   await tab.app.evaluator.settled();
-  tab.app.state.merge.held.value = 'merge 1';
+  tab.mergeState.hold('merge 1');
   await tab.app.evaluator.settled();
   expect(merged(tab)).toBeNull();
   await tab.app.commands.run('merge.run');
@@ -197,33 +205,33 @@ test('stopping a merge leaves its button to begin again', async () => {
 test('widths of the overlap are parts of the loops’ lengths, and go with the loops', async () => {
   const tab = await lidChosen();
   await tab.app.commands.run('merge.run');
-  tab.app.merge.setTransition({ source: 0.1, target: 0.05 });
+  tab.merge.shape.setTransition({ source: 0.1, target: 0.05 });
   await tab.app.evaluator.settled();
-  expect(tab.app.merge.transitionShares().source).toBeCloseTo(0.1, 3);
-  expect(tab.app.merge.transitionShares().target).toBeCloseTo(0.05, 3);
-  tab.app.merge.removePair(0);
+  expect(tab.merge.shape.transitionShares().source).toBeCloseTo(0.1, 3);
+  expect(tab.merge.shape.transitionShares().target).toBeCloseTo(0.05, 3);
+  tab.merge.joins.removePair(0);
   expect(step(tab).transition).toBeUndefined();
 });
 
 test('merged in place, the part stands where the numbers put it', async () => {
   const tab = await lidChosen();
   await tab.app.commands.run('merge.run');
-  tab.app.merge.setMode('dependent');
+  tab.merge.shape.setMode('dependent');
   // At first over the target's opening, as large as that.
-  const [size] = tab.app.merge.pose().scale;
+  const [size] = tab.merge.shape.pose().scale;
   expect(size).toBeCloseTo(1.4, 1);
   const top = async (y: number): Promise<number> => {
-    tab.app.merge.setPose({ translation: [0, y, 0] }, true);
-    tab.app.merge.finish();
+    tab.merge.shape.setPose({ translation: [0, y, 0] }, true);
+    tab.merge.edits.finish();
     await tab.app.evaluator.settled();
-    expect(tab.app.state.merge.problem.value).toBeNull();
+    expect(tab.mergeState.problem.value).toBeNull();
     const { positions } = tab.app.evaluator.result.value!;
     return Math.max(...positions.filter((_, i) => i % 3 === 1));
   };
   const low = await top(0);
-  expect(tab.app.merge.reach()).toBeLessThanOrEqual(0.3);
+  expect(tab.merge.shape.reach()).toBeLessThanOrEqual(0.3);
   expect(await top(2)).toBeCloseTo(low + 2, 9);
-  expect(tab.app.merge.pose().translation).toEqual([0, 2, 0]);
+  expect(tab.merge.shape.pose().translation).toEqual([0, 2, 0]);
 });
 
 // Where two models meet, from what is marked.

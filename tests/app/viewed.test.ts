@@ -1,4 +1,5 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
+import type { HairPort } from '../../web/view/hair/types';
 import type { ViewModel } from '../../web/view/types';
 import { Browser, blindViewport, CUBE_OBJ, file, MemoryStorage, Tab } from './world';
 
@@ -11,14 +12,17 @@ afterEach(() => vi.unstubAllGlobals());
 /** A tab with a cube open, and what its viewport shows. */
 async function looking() {
   const shown: { model: ViewModel | null; strands: number } = { model: null, strands: 0 };
-  const viewport = blindViewport({
-    setModel: (model) => {
-      shown.model = model;
+  const setHair: HairPort['setHair'] = (strands) => {
+    shown.strands = strands ? strands.offsets.length - 1 : 0;
+  };
+  const viewport = blindViewport(
+    {
+      setModel: (model) => {
+        shown.model = model;
+      },
     },
-    setHair: (strands) => {
-      shown.strands = strands ? strands.offsets.length - 1 : 0;
-    },
-  });
+    { hair: { setHair, unmounted: () => setHair(null) } as HairPort & { unmounted(): void } },
+  );
   const tab = new Tab(new Browser(), new MemoryStorage(), viewport);
   await tab.openCube();
   return { tab, shown };
@@ -32,7 +36,7 @@ test('a file of lines is looked at alone; the way back leads to the work as it w
   const { state, document, commands, files } = tab.app;
   const { recipe } = document;
   await files.openFiles([file('wig.obj', LINES)]);
-  expect(state.hair.viewed.value).toMatchObject({ name: 'wig.obj', on: 'nothing', head: null });
+  expect(tab.app.state.viewing.value).toMatchObject({ name: 'wig.obj', on: 'nothing', head: null });
   expect([corners(shown.model), shown.strands]).toEqual([0, 2]);
   expect(state.status.value).toContain('Esc');
   await commands.run('hair.end-viewing');
@@ -46,11 +50,11 @@ test('an edit ends the looking, and so does Escape', async () => {
   const { state, commands, files } = tab.app;
   await files.openFiles([file('wig.obj', LINES)]);
   await tab.addHandle([0], 'Tip');
-  expect(state.hair.viewed.value).toBeNull();
+  expect(tab.app.state.viewing.value).toBeNull();
   await files.openFiles([file('wig.obj', LINES)]);
   await commands.run('edit.cancel');
-  expect(state.hair.viewed.value).toBeNull();
-  expect(state.selection.value.handle).toBe(0);
+  expect(tab.app.state.viewing.value).toBeNull();
+  expect(state.selection.value.item).toBe(0);
   expect(corners(shown.model)).toBe(8);
 });
 
@@ -60,10 +64,10 @@ test('an OBJ of faces and lines opens as a model, and its lines can be looked at
   await files.openFiles([file('groom.obj', WITH_HEAD)]);
   await tab.app.evaluator.settled();
   expect(document.recipe.models).toEqual({ groom: { file: 'groom.obj' } });
-  expect(state.hair.viewed.value).toBeNull();
+  expect(tab.app.state.viewing.value).toBeNull();
   const { action } = state.toasts.value.find(({ text }) => text.includes('lines'))!;
   await action!.run();
-  expect(state.hair.viewed.value).toMatchObject({ on: 'own-head' });
+  expect(tab.app.state.viewing.value).toMatchObject({ on: 'own-head' });
   expect([corners(shown.model), shown.strands]).toEqual([8, 2]);
 });
 
@@ -72,7 +76,7 @@ test('lines that are no strands do not keep a model from opening', async () => {
   await tab.app.files.openFiles([file('loose.obj', `${CUBE_OBJ}\nl 3\nl 1 99\n`)]);
   await tab.app.evaluator.settled();
   expect(tab.app.document.recipe.models).toEqual({ loose: { file: 'loose.obj' } });
-  expect(tab.app.state.hair.viewed.value).toBeNull();
+  expect(tab.app.state.viewing.value).toBeNull();
 });
 
 test('a damaged .hair file is refused by name, and nothing changes', async () => {
@@ -80,7 +84,7 @@ test('a damaged .hair file is refused by name, and nothing changes', async () =>
   const { recipe } = tab.app.document;
   await tab.app.files.openFiles([file('wig.hair', 'HAIR and not much more')]);
   await tab.app.files.openFiles([file('letter.hair', 'Dear reader,')]);
-  expect(tab.app.state.hair.viewed.value).toBeNull();
+  expect(tab.app.state.viewing.value).toBeNull();
   expect(tab.app.document.recipe).toBe(recipe);
   expect(tab.toasts).toHaveLength(2);
   expect(tab.toasts[0]).toContain('wig.hair');

@@ -1,9 +1,17 @@
 // The app without a browser: a kernel that moves every free vertex with the first handle, memory for storage.
 
 import { type BuiltApp, buildApp, type World } from '../../web/app/app';
+import type { DeformActions } from '../../web/app/deform/actions';
+import type { DeformWing } from '../../web/app/deform/wing';
 import type { SaveOptions } from '../../web/app/file-dialogs';
+import type { HairActions } from '../../web/app/hair/actions';
+import type { HairWing } from '../../web/app/hair/wing';
+import type { MergeActions } from '../../web/app/merge/actions';
+import type { MergeWing } from '../../web/app/merge/wing';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
-import type { Args, DeformId, HairId, KernelPort, Method, ModelId, Result } from '../../web/kernel/contract';
+import type { Args, KernelId, KernelPort, Method, Result } from '../../web/kernel/contract';
+import type { WorkspaceId } from '../../web/recipe/recipe';
+import type { LayerKind } from '../../web/view/layer';
 import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
@@ -52,7 +60,7 @@ export class FakeKernel implements KernelPort {
 
   readonly #answers: { readonly [M in Method]?: (args: Args<M>) => Result<M> } = {
     openModel: ({ positions, faceVertices }) => ({
-      model: this.#models.push(positions) as ModelId,
+      id: this.#models.push(positions) as KernelId,
       triangles: faceVertices,
       faceOfTriangle: Uint32Array.from({ length: faceVertices.length / 3 }, (_, i) => i),
       welded: Int32Array.from({ length: positions.length / 3 }, (_, i) => i),
@@ -66,9 +74,9 @@ export class FakeKernel implements KernelPort {
     prepareDeform: ({ model, roi, handles }) => {
       const held = new Set(handles.slice(1).flatMap(({ vertices }) => [...vertices]));
       const moved = new Set([...roi, ...handles[0]!.vertices].filter((v) => !held.has(v)));
-      const deform = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as DeformId;
+      const id = this.#sessions.push({ rest: this.#models[model - 1]!, moved }) as KernelId;
       return {
-        deform,
+        id,
         free: roi.length,
         degenerate: 0,
         warnings: [],
@@ -95,7 +103,7 @@ export class FakeKernel implements KernelPort {
       stretch: new Float32Array(positions.length / 3),
     }),
     openHair: () => ({
-      hair: 1 as HairId,
+      id: 1 as KernelId,
       grid: [4, 4, 4],
       low: [-1, -1, -1],
       high: [2, 2, 2],
@@ -135,16 +143,22 @@ export class MemoryStore implements DocumentStore {
   readonly blobs = new Map<string, Uint8Array>();
   /** Blobs written so far, to see that unchanged ones are not written again. */
   written = 0;
+  /** Refuses to write. */
   broken = false;
+  /** Refuses everything. */
+  silent = false;
 
-  documents = async () => [...this.kept.values()];
+  documents = async () => {
+    if (this.silent) throw new Error('no answer');
+    return [...this.kept.values()];
+  };
   document = async (id: string) => this.kept.get(id);
   blob = async (hash: string) => this.blobs.get(hash);
-  missing = async (hashes: Iterable<string>) => [...new Set(hashes)].filter((hash) => !this.blobs.has(hash));
   async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
-    if (this.broken) throw new Error('the disk is full');
-    for (const [hash, bytes] of blobs) this.blobs.set(hash, bytes);
-    this.written += blobs.size;
+    if (this.broken || this.silent) throw new Error('the disk is full');
+    const missing = [...blobs].filter(([hash]) => !this.blobs.has(hash));
+    for (const [hash, bytes] of missing) this.blobs.set(hash, bytes);
+    this.written += missing.length;
     this.kept.set(document.id, structuredClone(document));
   }
   async remove(ids: readonly string[]): Promise<void> {
@@ -156,8 +170,17 @@ export class MemoryStore implements DocumentStore {
 
 export class MemoryStorage {
   readonly #items = new Map<string, string>();
+  full = false;
   getItem = (key: string) => this.#items.get(key) ?? null;
-  setItem = (key: string, value: string) => void this.#items.set(key, value);
+  setItem = (key: string, value: string) => {
+    if (this.full) throw new DOMException('full', 'QuotaExceededError');
+    this.#items.set(key, value);
+  };
+  removeItem = (key: string) => void this.#items.delete(key);
+  key = (index: number) => [...this.#items.keys()][index] ?? null;
+  get length(): number {
+    return this.#items.size;
+  }
 }
 
 /** One browser: what several tabs share. */
@@ -176,6 +199,8 @@ export class Tab {
   readonly copied: string[] = [];
   readonly app: BuiltApp;
   reloads = 0;
+  /** Tells the app that another tab has a document, too. */
+  lose: (id: string) => void = () => {};
 
   constructor(
     readonly browser = new Browser(),
@@ -185,7 +210,7 @@ export class Tab {
     const world: World = {
       kernel: this.kernel,
       viewport,
-      panes: () => null,
+      pane: () => null,
       store: browser.store,
       claims: {
         claim: async (id) => {
@@ -194,6 +219,9 @@ export class Tab {
           return owner === this;
         },
         release: (id) => void browser.claimed.delete(id),
+        onLost: (listener) => {
+          this.lose = listener;
+        },
       },
       dialogs: {
         open: async () => [file('cube.obj', CUBE_OBJ)],
@@ -216,6 +244,34 @@ export class Tab {
     this.app = buildApp(world);
   }
 
+  get deform(): DeformActions {
+    return this.#wing<DeformWing>('deform').actions;
+  }
+
+  get deformState(): DeformWing['state'] {
+    return this.#wing<DeformWing>('deform').state;
+  }
+
+  get hair(): HairActions {
+    return this.#wing<HairWing>('hair').actions;
+  }
+
+  get hairState(): HairWing['state'] {
+    return this.#wing<HairWing>('hair').state;
+  }
+
+  get merge(): MergeActions {
+    return this.#wing<MergeWing>('merge').actions;
+  }
+
+  get mergeState(): MergeWing['state'] {
+    return this.#wing<MergeWing>('merge').state;
+  }
+
+  #wing<W>(id: WorkspaceId): W {
+    return this.app.wings.get(id) as W;
+  }
+
   get toasts(): string[] {
     return this.app.state.toasts.value.map(({ text }) => text);
   }
@@ -228,7 +284,7 @@ export class Tab {
   /** Adds a region handle on the given vertices. */
   async addHandle(vertices: number[], name: string): Promise<void> {
     const { document, evaluator } = this.app;
-    const step = document.step!;
+    const step = this.deform.step!;
     const handle = {
       kind: 'region' as const,
       vertices,
@@ -238,7 +294,7 @@ export class Tab {
     const steps = document.recipe.steps.map((each) =>
       each === step ? { ...step, handles: [...step.handles, handle] } : each,
     );
-    const selection = { step: step.id, handle: step.handles.length };
+    const selection = { step: step.id, item: step.handles.length };
     document.commit(`Add ${name}`, { ...document.recipe, steps }, selection);
     await evaluator.settled();
   }
@@ -258,10 +314,22 @@ export class Tab {
 
 const STANDING: ViewportPort['camera'] = { position: [0, 0, 5], target: [0, 0, 0], orthographic: false };
 
-/** A viewport that shows nothing, finds nothing and takes every call. */
-export const blindViewport = (parts: Partial<ViewportPort>): ViewportPort =>
-  new Proxy({ camera: STANDING, ...parts } as ViewportPort, {
-    get: (held, name: keyof ViewportPort) => held[name] ?? (() => null),
+/** What answers in the place of layers, by the id of their kind. */
+export type LayerDoubles = Readonly<Record<string, { readonly unmounted?: () => void }>>;
+
+/** A viewport that shows nothing, finds nothing and takes every call; its layers likewise. */
+export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles = {}): ViewportPort => {
+  const mount: ViewportPort['mount'] = <P>({ id }: LayerKind<P>) => ({
+    port: blind(layers[id] ?? {}) as P,
+    unmount: () => layers[id]?.unmounted?.(),
+  });
+  return blind({ camera: STANDING, mount, ...parts }) as ViewportPort;
+};
+
+/** Has what it is given; for the rest it takes every call and answers nothing. */
+const blind = <T extends object>(parts: T): T =>
+  new Proxy(parts, {
+    get: (held, name) => Reflect.get(held, name) ?? (() => null),
     set: () => true,
   });
 

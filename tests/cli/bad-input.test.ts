@@ -3,11 +3,12 @@
 
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { describe, expect, test } from 'vitest';
+import { IDENTITY } from '../../web/core/affine';
 import type { Finding } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
-import { writeModel } from '../../web/io/formats';
+import { readModel, writeModel } from '../../web/io/formats';
 import { ball, diagonal, gap, modelOf, sheet, together } from './shapes';
-import { deformRecipe, hasKernel, IDENTITY, move, region, Shell } from './shell';
+import { deformRecipe, move, region, Shell } from './shell';
 
 const range = (first: number, last: number) => ({ ranges: [[first, last]] });
 
@@ -98,7 +99,7 @@ const pointsOf = ({ positions }: Model) =>
 const withFaces = (model: Model, ...more: number[][]): Model =>
   modelOf(model.name, pointsOf(model), [...facesOf(model), ...more]);
 
-describe.skipIf(!hasKernel)('a file that holds no model is refused', () => {
+describe('a file that holds no model is refused', () => {
   test('empty', async () => {
     await refused('file-empty', '');
   });
@@ -142,7 +143,7 @@ describe.skipIf(!hasKernel)('a file that holds no model is refused', () => {
   });
 });
 
-describe.skipIf(!hasKernel)('a file with defects is edited all the same', () => {
+describe('a file with defects is edited all the same', () => {
   test('under the wrong extension it is read as what it is', async () => {
     const { model, found } = await edited(writeModel(plain, 'ply'), bend({}, 'm.obj'), 'm.obj');
     expect(found).toMatchObject({ 'extension-differs': 1 });
@@ -264,7 +265,7 @@ describe.skipIf(!hasKernel)('a file with defects is edited all the same', () => 
   });
 });
 
-describe.skipIf(!hasKernel)('a recipe with little or too much in it', () => {
+describe('a recipe with little or too much in it', () => {
   test('without a handle leaves the model as it is and says so', async () => {
     const { model, found } = await editedModel(plain, deformRecipe([]));
     expect(found).toMatchObject({ 'no-handle': 1 });
@@ -344,7 +345,7 @@ const REFUSED: Readonly<Record<string, string>> = {
   'zero_faces.ply': 'no-faces',
 };
 
-describe.skipIf(!hasKernel || collected.length === 0)('of the collected files', () => {
+describe.skipIf(collected.length === 0)('of the collected files', () => {
   test.each(collected)('%s is refused in words or bends and stays finite', async (file) => {
     const content = readFileSync(new URL(file, COLLECTION));
     const code = REFUSED[file];
@@ -367,6 +368,22 @@ describe.skipIf(!hasKernel || collected.length === 0)('of the collected files', 
       if (Number.isFinite(rest)) expect(Math.abs(value - rest)).toBeLessThan(0.3 * spread);
       else expect(value).toBe(rest);
     }
+  });
+});
+
+describe('every model of the gallery', () => {
+  const GALLERY = new URL('../../public/gallery/', import.meta.url);
+  const files = readdirSync(GALLERY).filter((file) => file.endsWith('.ply'));
+
+  test.each(files)('%s bends and stays finite, its faces as they were', async (file) => {
+    const content = readFileSync(new URL(file, GALLERY));
+    const before = readModel(content, file).model;
+    const { low, high, axis, spread } = ends(before);
+    const by = [0, 1, 2].map((at) => (at === axis ? 0 : 0.1 * spread));
+    const recipe = deformRecipe([region(low), region(high, move(by[0]!, by[1]!, by[2]!))], {}, file);
+    const { model } = await edited(content, recipe, file);
+    expect(model.faceVertices).toEqual(before.faceVertices);
+    expect(gap(model.positions, before.positions)).toBeLessThan(0.3 * spread);
   });
 });
 

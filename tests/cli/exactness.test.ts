@@ -5,7 +5,7 @@ import fc from 'fast-check';
 import { describe, expect, test } from 'vitest';
 import type { Model } from '../../web/core/model';
 import { ball, diagonal, gap, renumbered, sheet, shuffle, together, torus, transformed } from './shapes';
-import { deformRecipe, hasKernel, region, Shell } from './shell';
+import { deformRecipe, region, Shell } from './shell';
 
 const TOLERANCE = 1e-6;
 
@@ -98,7 +98,7 @@ async function result(recipe: object, model: Model): Promise<Model> {
   return shell.model('out/o.ply');
 }
 
-describe.skipIf(!hasKernel).each(Object.entries(CASES))('%s', (_, given) => {
+describe.each(Object.entries(CASES))('%s', (_, given) => {
   const { model } = given;
   const unit = diagonal(model);
 

@@ -7,7 +7,7 @@ import { writeModel } from '../../web/io/formats';
 import { bowl, dome, tube } from '../kernel/tubes';
 import { topologyOf } from '../run/surface-measures';
 import { ball, modelOf, torus } from './shapes';
-import { hasKernel, Shell } from './shell';
+import { Shell } from './shell';
 
 const upTo = (count: number) => Array.from({ length: count }, (_, i) => i);
 const closed = (n: number, m: number): Model => ({ name: 'source', ...tube(n, m, dome) });
@@ -58,7 +58,7 @@ async function refused(code: string, step: object, source?: Model, target?: Mode
 
 const CLOSED = { twice: 0, open: 0, pieces: 1, euler: 2 };
 
-describe.skipIf(!hasKernel)('merging from the command line', () => {
+describe('merging from the command line', () => {
   test('the report lists both models and how the seam looks', async () => {
     const { report } = await merged({ boundaries: [BOUNDARY] });
     expect(report.models).toMatchObject({
@@ -131,7 +131,7 @@ describe.skipIf(!hasKernel)('merging from the command line', () => {
   });
 });
 
-describe.skipIf(!hasKernel)('painted regions', () => {
+describe('painted regions', () => {
   const [source, target] = [ball(40, 48), ball(36, 40)];
   const regions = {
     sourceRegion: above(source, 0),

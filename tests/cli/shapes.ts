@@ -113,8 +113,8 @@ export function gap(a: Float64Array, b: Float64Array): number {
   let worst = 0;
   for (let v = 0; v < a.length; v += 3) {
     const distance = Math.hypot(a[v]! - b[v]!, a[v + 1]! - b[v + 1]!, a[v + 2]! - b[v + 2]!);
-    // Not Math.max, which a NaN would pass.
-    if (!(distance <= worst)) worst = distance;
+    if (Number.isNaN(distance)) return distance;
+    worst = Math.max(worst, distance);
   }
   return worst;
 }

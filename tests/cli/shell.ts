@@ -5,13 +5,9 @@ import { tmpdir } from 'node:os';
 import path from 'node:path';
 import { onTestFinished } from 'vitest';
 import { cli, type Surroundings } from '../../web/cli/cli';
+import { IDENTITY } from '../../web/core/affine';
 import type { Model } from '../../web/core/model';
 import { readModel, writeModel } from '../../web/io/formats';
-
-/** Whether `npm run wasm` has been run: what needs the real solver is skipped without it. */
-export const hasKernel = existsSync(new URL('../../wasm/dist/kernel.mjs', import.meta.url));
-
-export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 export interface Printed {
   readonly status: number;

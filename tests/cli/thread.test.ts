@@ -10,11 +10,11 @@ import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { cli } from '../../web/cli/cli';
 import { readModel, writeModel } from '../../web/io/formats';
 import { gap, sheet } from './shapes';
-import { deformRecipe, hasKernel, move, region } from './shell';
+import { deformRecipe, move, region } from './shell';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-describe.skipIf(!hasKernel)('the command line as one file', () => {
+describe('the command line as one file', () => {
   let folder = '';
   const at = (name: string) => path.join(folder, name);
 

@@ -1,3 +1,4 @@
+import type { DeformWing } from '../../web/app/deform/wing';
 import { toIndices } from '../../web/core/vertex-set';
 import { centroid } from '../../web/tools/geometry';
 import { type Desk, diagonal, expect, gap, handleGap, mayMove, moved, type Place, test } from './desk';
@@ -68,7 +69,9 @@ test('a dragged handle goes where the pointer goes, its region follows, nothing 
   await test.step('the heat map has a value for every vertex and a legend', async () => {
     await desk.press('t');
     await expect(desk.page.getByText('Edge stretch')).toBeVisible();
-    const stretch = await desk.page.evaluate(() => [...(window.__lissom.app.state.stretch.peek() ?? [])]);
+    const stretch = await desk.page.evaluate(() => [
+      ...((window.__lissom.app.wings.get('deform') as DeformWing).state.stretch.peek() ?? []),
+    ]);
     expect(stretch).toHaveLength(bent.rest.length / 3);
     expect(Math.max(...stretch.map(Math.abs))).toBeGreaterThan(0.01);
     await desk.picture('heat');

@@ -59,9 +59,9 @@ export class Desk {
       const { app } = window.__lissom;
       const result = app.evaluator.result.peek();
       if (!result) return null;
-      const { step, input, positions } = result;
-      const selected = app.state.selection.peek().handle;
-      return { step, rest: [...input.model.positions], positions: [...positions], selected };
+      const { step, shown, positions } = result;
+      const selected = app.state.selection.peek().item;
+      return { step, rest: [...shown.model.positions], positions: [...positions], selected };
     });
     if (!read) throw new Error('nothing is shown');
     const { selected } = read;

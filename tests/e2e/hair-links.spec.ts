@@ -3,6 +3,9 @@ import { encodeLink } from '../../web/recipe/link/link';
 import { bytesOf, Desk, expect, SIZE, test, withoutPickers } from './desk';
 import { drawAt, enter, grownHere, hair, styleOf } from './hair-desk';
 
+// Each on a page of its own.
+test.describe.configure({ mode: 'parallel' });
+
 test.describe('a style that was drawn', () => {
   test.use({ viewport: SIZE });
 

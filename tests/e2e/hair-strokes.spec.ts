@@ -10,6 +10,8 @@ const SIDE: readonly Spot[] = [
   [0.36, 0.15],
 ];
 
+// Each on a page of its own.
+test.describe.configure({ mode: 'parallel' });
 test.use({ viewport: SIZE });
 
 test('a stroke on the head grows hair, hint strokes change it, and everything can be undone', async ({

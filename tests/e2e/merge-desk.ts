@@ -1,6 +1,7 @@
 // Hands and eyes for the merge workspace, beside those of the desk.
 
 import type { Page } from '@playwright/test';
+import type { MergeWing } from '../../web/app/merge/wing';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { MergeStep, Recipe } from '../../web/recipe/recipe';
 import type { MergeSide } from '../../web/tools/merge/pins';
@@ -24,14 +25,15 @@ export interface ShownMerge {
 export async function merged({ page, settled }: Desk): Promise<ShownMerge> {
   await settled.call({ page });
   const read = await page.evaluate(() => {
-    const { document, evaluator, state, merge } = window.__lissom.app;
+    const { document, evaluator } = window.__lissom.app;
+    const { state, actions } = window.__lissom.app.wings.get('merge') as MergeWing;
     return {
       recipe: JSON.stringify(document.recipe),
       positions: [...evaluator.result.peek()!.positions],
-      figures: state.merge.figures.peek(),
-      problem: state.merge.problem.peek(),
-      pins: merge.pins().map(({ vertices }) => vertices),
-      step: state.mergeStep.peek()!.id,
+      figures: state.figures.peek(),
+      problem: state.problem.peek(),
+      pins: actions.joins.pins().map(({ vertices }) => vertices),
+      step: state.step.peek()!.id,
     };
   });
   const recipe = parseRecipe(read.recipe);
@@ -43,7 +45,7 @@ export async function merged({ page, settled }: Desk): Promise<ShownMerge> {
 export const spots = (page: Page, side: MergeSide, points: readonly Vec3[]): Promise<Place[]> =>
   page.evaluate(
     ([pane, wanted]) => {
-      const view = window.__lissom.app.panes.peek()![pane];
+      const view = window.__lissom.app.panes.all.peek()[pane === 'source' ? 0 : 1]!.viewport;
       const box = document.querySelector(`.pane.${pane}`)!.getBoundingClientRect();
       return wanted.map((point) => {
         const { x, y } = view.project(point);
@@ -57,7 +59,8 @@ export const spots = (page: Page, side: MergeSide, points: readonly Vec3[]): Pro
 export async function spotOf(page: Page, side: MergeSide, vertex: number): Promise<Place> {
   const point = await page.evaluate(
     ([pane, v]) => {
-      const { positions } = window.__lissom.app.state.merge.sides.peek()[pane]!.model;
+      const { state } = window.__lissom.app.wings.get('merge') as MergeWing;
+      const { positions } = state.sides.peek()[pane]!.model;
       return [positions[3 * v]!, positions[3 * v + 1]!, positions[3 * v + 2]!] as const;
     },
     [side, vertex] as const,
@@ -82,15 +85,17 @@ export async function choosePart(desk: Desk, title: string): Promise<void> {
   const { page } = desk;
   await page.getByRole('navigation').getByRole('button', { name: 'Merge', exact: true }).click();
   await expect(page.getByRole('heading', { name: 'Choose the part to add' })).toBeVisible();
-  await page.locator('.part-chooser').getByRole('button', { name: title }).click();
-  await page.waitForFunction(() => window.__lissom.app.state.merge.sides.peek().source !== null);
+  await page.locator('.model-chooser').getByRole('button', { name: title }).click();
+  await page.waitForFunction(
+    () => (window.__lissom.app.wings.get('merge') as MergeWing).state.sides.peek().source !== null,
+  );
   await desk.settled();
 }
 
 export async function pressMerge(desk: Desk): Promise<void> {
   await desk.page.locator('.merge-go').getByRole('button', { name: 'Merge' }).click();
   await desk.page.waitForFunction(() => {
-    const { figures, problem } = window.__lissom.app.state.merge;
+    const { figures, problem } = (window.__lissom.app.wings.get('merge') as MergeWing).state;
     return figures.peek() !== null || problem.peek() !== null;
   });
   await desk.settled();

@@ -1,9 +1,12 @@
+import type { MergeWing } from '../../web/app/merge/wing';
 import { readModel } from '../../web/io/formats';
 import { writeModel } from '../../web/io/index';
 import { bowl, dome, tube } from '../kernel/tubes';
 import { bytesOf, Desk, diagonal, expect, gap, SIZE, test, withoutPickers } from './desk';
 import { choosePart, merged, pressMerge, spotOf, spots, strokeOver } from './merge-desk';
 
+// Each on a page of its own.
+test.describe.configure({ mode: 'parallel' });
 test.slow();
 
 test.describe('a horse’s head on a dinosaur', () => {
@@ -38,9 +41,9 @@ test.describe('a horse’s head on a dinosaur', () => {
     /** The x of each marked vertex. */
     async function marks(side: 'source' | 'target'): Promise<number[]> {
       return page.evaluate((pane) => {
-        const { state } = window.__lissom.app;
-        const { positions } = state.merge.sides.peek()[pane]!.model;
-        const set = state.mergeStep.peek()!.optimalBoundary;
+        const { state } = window.__lissom.app.wings.get('merge') as MergeWing;
+        const { positions } = state.sides.peek()[pane]!.model;
+        const set = state.step.peek()!.optimalBoundary;
         const marked = pane === 'source' ? set?.sourceRegion : set?.targetRegion;
         const list =
           marked && typeof marked !== 'string' && 'ranges' in marked
@@ -117,7 +120,9 @@ test.describe('a lid on a bowl', () => {
     await page.getByRole('navigation').getByRole('button', { name: 'Merge', exact: true }).click();
     await expect(page.getByRole('heading', { name: 'Choose the part to add' })).toBeVisible();
     await desk.choose(['lid.obj', lid]);
-    await page.waitForFunction(() => window.__lissom.app.state.merge.sides.peek().source !== null);
+    await page.waitForFunction(
+      () => (window.__lissom.app.wings.get('merge') as MergeWing).state.sides.peek().source !== null,
+    );
     await desk.settled();
 
     await test.step('a click on the opening of each joins them', async () => {

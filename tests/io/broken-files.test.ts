@@ -1,6 +1,6 @@
 import { describe, expect, test } from 'vitest';
 import { detectFormat, writeModel } from '../../web/io';
-import { bytes, codeOf, codes, facesOf, makeModel, read, shared, testShared, text } from './support';
+import { bytes, codeOf, codes, makeModel, read, text } from './support';
 
 const TRIANGLE = makeModel([0, 0, 0, 1, 0, 0, 0, 1, 0], [[0, 1, 2]]);
 const failing = (content: string | Uint8Array, name: string) => codeOf(() => read(content, name));
@@ -127,26 +127,4 @@ test('a model without a usable face cannot become triangles', () => {
   const points = makeModel([0, 0, 0], []);
   for (const format of ['stl', 'glb', 'gltf'] as const)
     expect(codeOf(() => writeModel(points, format))).toBe('nothing-to-export');
-});
-
-testShared('the broken files of the shared set end in their errors or in a model', () => {
-  const outcome = (name: string) => failing(shared(`generated/out/${name}`), name);
-  expect(outcome('empty.obj')).toBe('file-empty');
-  expect(outcome('empty.ply')).toBe('file-empty');
-  expect(outcome('only_comment.obj')).toBe('file-not-a-mesh');
-  expect(outcome('not_a_mesh.ply')).toBe('file-not-a-mesh');
-  expect(outcome('truncated_header.ply')).toBe('file-truncated');
-  expect(outcome('truncated_body.ply')).toBe('file-truncated');
-  expect(outcome('lying_count.ply')).toBe('count-too-large');
-  for (const name of ['zero_faces.ply', 'one_vertex.ply', 'points_noisy.ply', 'points_oriented.ply'])
-    expect(codes(shared(`generated/out/${name}`), name)).toEqual(['no-faces']);
-  const outside = read(shared('generated/out/index_out_of_range.ply'), 'index_out_of_range.ply');
-  expect(outside.faceVertices).toContain(1000000);
-  expect(outside.faceVertices).toContain(-7 >>> 0);
-  const nan = read(shared('generated/out/nan_text.obj'), 'nan_text.obj');
-  expect(facesOf(nan)).toEqual([
-    [0, 1, 2],
-    [0, 2, 3],
-    [0, 2, 98],
-  ]);
 });

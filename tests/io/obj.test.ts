@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { withPositions } from '../../web/core/model';
 import { writeModel } from '../../web/io';
-import { codes, facesOf, read, shared, testShared, text } from './support';
+import { codes, facesOf, read, text } from './support';
 
 const SQUARE = 'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n';
 
@@ -97,8 +97,23 @@ test('moved vertices change the v lines alone', () => {
   expect(moved).toContain('v 1.1 0.1 0.1\n');
 });
 
-testShared('the odd but legal OBJ has its three faces, the last with five corners', () => {
-  expect(facesOf(read(shared('generated/out/odd.obj'), 'odd.obj'))).toEqual([
+test('an odd but legal file has its three faces, the last with five corners and over two lines', () => {
+  const source = [
+    ...['mtllib none.mtl', 'o odd', 'v 0 0 0 1.0', 'v 1 0 0', 'v 1 1 0', 'v 0 1 0', 'v 0.5 1.5 0'],
+    ...['vt 0 0', 'vt 1 0', 'vn 0 0 1', 'g a b', 's 1', 'f 1/1/1 2/2/1 3/2/1 4/1/1', 'f -3//1 -2//1 -1//1'],
+    ...[
+      'v 0 0 1',
+      'v 1 0 1',
+      'v 1 1 1',
+      'v 0.5 1.5 1',
+      'v 0 1 1',
+      'f -5 -4 -3 \\',
+      '-2 -1',
+      'l 1 2 3',
+      'p 1',
+    ],
+  ];
+  expect(facesOf(read(source.join('\n'), 'odd.obj'))).toEqual([
     [0, 1, 2, 3],
     [2, 3, 4],
     [5, 6, 7, 8, 9],

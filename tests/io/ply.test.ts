@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { type Model, withPositions } from '../../web/core/model';
 import { writeModel } from '../../web/io';
-import { bytes, codes, facesOf, makeModel, read, shared, testShared, text } from './support';
+import { bytes, codes, facesOf, galleryFile, makeModel, read, text } from './support';
 
 const ascii = (header: string, body: string) => `ply\nformat ascii 1.0\n${header}end_header\n${body}`;
 const XYZ = 'property float x\nproperty float y\nproperty float z\n';
@@ -181,13 +181,13 @@ test('a polygon of 200 corners with texture coordinates fits', () => {
   expect(facesOf(read(writeModel(textured, 'ply')))).toEqual([ring]);
 });
 
-testShared('moving a model in a PLY keeps everything but its coordinates', () => {
-  const head = read(shared('human/headlow_female.ply'), 'headlow_female.ply');
+test('moving a model in a PLY keeps everything but its coordinates', () => {
+  const head = read(galleryFile('head-elf.ply'), 'head-elf.ply');
   const moved = withPositions(
     head,
     head.positions.map((c) => 2 * c),
   );
-  const { positions, ...rest } = read(writeModel(moved, 'ply'), 'headlow_female.ply');
+  const { positions, ...rest } = read(writeModel(moved, 'ply'), 'head-elf.ply');
   const { positions: _, ...expected } = head;
   expect(rest).toEqual(expected);
   expect(positions).toEqual(moved.positions);

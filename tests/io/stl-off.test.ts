@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
 import { writeModel } from '../../web/io';
-import { bytes, codes, facesOf, makeModel, read, shared, testShared, text } from './support';
+import { bytes, codes, facesOf, makeModel, read, text } from './support';
 
 const SQUARE = makeModel([0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0], [[0, 1, 2, 3]]);
 
@@ -64,13 +64,4 @@ test('an OFF may have comments anywhere and colours behind its faces', () => {
     [0, 1, 2],
   ]);
   expect(codes(source, 'a.off')).toEqual(['attributes-ignored']);
-});
-
-testShared('the quads of an OFF and the cubes of other formats agree', () => {
-  const off = read(shared('generated/out/quads.off'), 'quads.off');
-  expect(facesOf(off).map((f) => f.length)).toEqual([4, 4, 4, 4, 4, 4]);
-  const ascii = read(shared('generated/out/ascii.stl'), 'ascii.stl');
-  const big = read(shared('generated/out/big_endian.ply'), 'big_endian.ply');
-  const corners = [...big.faceVertices].flatMap((v) => [...big.positions.subarray(3 * v, 3 * v + 3)]);
-  expect([...ascii.positions]).toEqual(corners);
 });

@@ -1,7 +1,5 @@
-import { existsSync, readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
+import { readFileSync } from 'node:fs';
 import fc from 'fast-check';
-import { test } from 'vitest';
 import { LissomError } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
 import { readModel } from '../../web/io';
@@ -34,10 +32,9 @@ export const facesOf = ({ faceOffsets, faceVertices }: Model): number[][] =>
     ...faceVertices.subarray(faceOffsets[f]!, faceOffsets[f + 1]!),
   ]);
 
-const SHARED = fileURLToPath(new URL('../../../shared/data/', import.meta.url));
-/** A test that needs the shared meshes; skipped where they are not there. */
-export const testShared = test.skipIf(!existsSync(SHARED));
-export const shared = (path: string): Uint8Array => new Uint8Array(readFileSync(SHARED + path));
+/** A model of the gallery as a file. */
+export const galleryFile = (name: string): Uint8Array =>
+  new Uint8Array(readFileSync(new URL(`../../public/gallery/${name}`, import.meta.url)));
 
 // The same cases in every run.
 fc.configureGlobal({ seed: 20 });

@@ -1,12 +1,13 @@
 import { afterEach, expect, test, vi } from 'vitest';
 import type { LissomError } from '../../web/core/errors';
 import type { KernelClient } from '../../web/kernel/client';
-import type { Deformed, DeformId, ModelId, PreparedDeform } from '../../web/kernel/contract';
+import type { KernelId } from '../../web/kernel/contract';
+import type { Deformed, PreparedDeform } from '../../web/kernel/contract/deform';
 import { Job } from '../../web/kernel/job';
 import type { Handlers } from '../../web/kernel/serve';
 import { connect } from './fake-worker';
 
-const deform = 1 as DeformId;
+const deform = 1 as KernelId;
 const targets = (first: number) => Float64Array.of(first);
 const moved = (...numbers: number[]): Deformed => ({
   positions: Float64Array.from(numbers),
@@ -14,7 +15,7 @@ const moved = (...numbers: number[]): Deformed => ({
   warnings: [],
   seconds: { solve: 0, rotate: 0, reconstruct: 0 },
 });
-const prepareArgs = { model: 1 as ModelId, roi: new Uint32Array(), handles: [], options: {} };
+const prepareArgs = { model: 1 as KernelId, roi: new Uint32Array(), handles: [], options: {} };
 const never = () => new Promise<never>(() => {});
 const refuse = (code: string, fault: string, message = code) => {
   throw Object.assign(new Error(message), { code, fault });
@@ -56,7 +57,7 @@ test('arguments named for transfer are moved, the others stay', async () => {
   });
   const given = Float64Array.of(1, 2, 3);
   const kept = Float64Array.of(4);
-  const model = 1 as ModelId;
+  const model = 1 as KernelId;
   await client.call('measure', { model, positions: kept });
   const answer = await client.call('measure', { model, positions: given }, { transfer: [given.buffer] });
   expect([...answer.stretch]).toEqual([1, 2, 3]);
@@ -141,7 +142,7 @@ test('what a cancelled request had already made is released', async () => {
   const { client } = bridge({
     prepareDeform() {
       abort.abort(); // the cancellation crosses the answer
-      return { deform: 7 as DeformId } as PreparedDeform;
+      return { id: 7 as KernelId } as PreparedDeform;
     },
     release: ({ id }) => release(id),
     measure: () => ({}) as never,
@@ -153,7 +154,7 @@ test('what a cancelled request had already made is released', async () => {
 
 test('a cancelled request that does not stop costs the worker, and the others are told to start again', async () => {
   const { client, workers } = bridge((epoch) => ({
-    prepareDeform: () => (epoch === 0 ? never() : ({ deform: 8 as DeformId } as PreparedDeform)),
+    prepareDeform: () => (epoch === 0 ? never() : ({ id: 8 as KernelId } as PreparedDeform)),
     deform: never,
   }));
   const abort = new AbortController();
@@ -167,7 +168,7 @@ test('a cancelled request that does not stop costs the worker, and the others ar
   await expect(other).rejects.toMatchObject({ code: 'worker-restarted', fault: 'crash' });
   expect(workers.map((worker) => worker.terminated)).toEqual([true, false]);
   expect(client.epoch).toBe(1);
-  expect(await client.call('prepareDeform', prepareArgs)).toEqual({ deform: 8 });
+  expect(await client.call('prepareDeform', prepareArgs)).toEqual({ id: 8 });
 });
 
 test('a worker that dies fails what was in flight, and the next request meets a new one', async () => {

@@ -1,6 +1,6 @@
 // A head by formula: an egg 24 cm high, and the strokes of three styles on it.
 
-import type { HairStyle } from '../../web/kernel/contract';
+import type { HairStyle } from '../../web/kernel/contract/hair';
 import type { Shape } from './shapes';
 
 const RADII = [0.09, 0.12, 0.1] as const;

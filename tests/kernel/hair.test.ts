@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { KernelModule } from '../../wasm/bindings/kernel';
-import type { HairId, HairOptions, HairStyle, KernelPort } from '../../web/kernel/contract';
+import type { KernelId, KernelPort } from '../../web/kernel/contract';
+import type { HairOptions, HairStyle } from '../../web/kernel/contract/hair';
 import { instantiate } from '../../web/kernel/module';
 import { loadKernel } from '../../web/kernel/node';
 import { combedDown, depth, egg, scalpOf, skin, style } from './hair-shapes';
@@ -13,19 +14,19 @@ beforeAll(async () => {
 
 const NO_STYLE: HairStyle = { streams: [], partings: [], ponytails: [] };
 
-async function head(resolution = 20): Promise<HairId> {
+async function head(resolution = 20): Promise<KernelId> {
   const shape = egg();
-  const { model } = await kernel.call('openModel', shape);
-  const { hair } = await kernel.call('openHair', { model, scalp: scalpOf(shape), resolution, up: 'y' });
+  const { id: model } = await kernel.call('openModel', shape);
+  const { id: hair } = await kernel.call('openHair', { model, scalp: scalpOf(shape), resolution, up: 'y' });
   return hair;
 }
 
-const grow = (hair: HairId, count: number, options: HairOptions = {}, from = 0) =>
+const grow = (hair: KernelId, count: number, options: HairOptions = {}, from = 0) =>
   kernel.call('growHair', { hair, from, count, options });
 
 test('a head is prepared once and described', async () => {
   const shape = egg();
-  const { model } = await kernel.call('openModel', shape);
+  const { id: model } = await kernel.call('openModel', shape);
   const seen: number[] = [];
   const opened = await kernel.call(
     'openHair',
@@ -75,8 +76,13 @@ test('a preview is a prefix of the whole, and a range the same strands', async (
 test('the same request gives the same bytes in another kernel', async () => {
   const bytes = async (port: KernelPort) => {
     const shape = egg();
-    const { model } = await port.call('openModel', shape);
-    const { hair } = await port.call('openHair', { model, scalp: scalpOf(shape), resolution: 20, up: 'y' });
+    const { id: model } = await port.call('openModel', shape);
+    const { id: hair } = await port.call('openHair', {
+      model,
+      scalp: scalpOf(shape),
+      resolution: 20,
+      up: 'y',
+    });
     await port.call('styleHair', { hair, style: style(combedDown()) });
     return (await port.call('growHair', { hair, from: 0, count: 200, options: { curl: 1 } })).points;
   };
@@ -158,7 +164,7 @@ describe('what cannot be is said, what is odd is told', () => {
     ['bad-resolution', { resolution: 500 }],
   ])('%s', async (code, { scalp, resolution = 20 }) => {
     const shape = egg();
-    const { model } = await kernel.call('openModel', shape);
+    const { id: model } = await kernel.call('openModel', shape);
     const vertices = scalp ? Uint32Array.from(scalp) : scalpOf(shape);
     const call = kernel.call('openHair', { model, scalp: vertices, resolution, up: 'y' });
     await expect(call).rejects.toMatchObject({ code, fault: 'input' });
@@ -233,10 +239,11 @@ test('hair gives its memory back, and the module has what its declaration says',
   for (let i = 0; i < 10; i++) round();
   expect(wasm.liveBytes() - live).toBeLessThan(4096);
 
-  const declared = readFileSync(new URL('../../wasm/bindings/kernel.d.ts', import.meta.url), 'utf8');
+  const declared = readFileSync(new URL('../../wasm/bindings/hair.d.ts', import.meta.url), 'utf8');
   for (const name of ['HairSession', 'HairGrowth'] as const) {
     const body = declared.match(new RegExp(`interface Wasm${name}[^{]*\\{(.*?)\\n\\}`, 's'))?.[1] ?? '';
     const members = [...body.matchAll(/^ {2}(\w+)\(/gm)].map((match) => match[1]);
+    expect(members.length).toBeGreaterThan(0);
     for (const member of members)
       expect((wasm[name] as unknown as { prototype: object }).prototype).toHaveProperty(member as string);
   }

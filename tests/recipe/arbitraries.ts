@@ -1,6 +1,7 @@
 // Random valid recipes, for properties that must hold for all of them.
 
 import fc from 'fast-check';
+import { IDENTITY } from '../../web/core/affine';
 import { MAX_COORDINATE } from '../../web/recipe/limits';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
@@ -99,8 +100,6 @@ export const anyDocument = fc
   });
 
 export const anyRecipe: fc.Arbitrary<Recipe> = anyDocument.map((document) => parseRecipe(document));
-
-export const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
 /** The example of the recipe's description, on a built-in model. */
 export const example = () => ({

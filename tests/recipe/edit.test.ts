@@ -1,21 +1,24 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
+import { IDENTITY } from '../../web/core/affine';
 import * as edit from '../../web/recipe/edit';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { DeformHandle, Recipe } from '../../web/recipe/recipe';
-import { anyRecipe, example, IDENTITY } from './arbitraries';
+import { newDeformStep } from '../../web/recipe/steps/deform';
+import * as deformEdit from '../../web/recipe/steps/deform-edits';
+import { anyRecipe, example } from './arbitraries';
 
 const recipe = parseRecipe(example());
-const handle: DeformHandle = { kind: 'region', vertices: [1, 2], matrix: IDENTITY };
+const handle: DeformHandle = { kind: 'region', vertices: [1, 2], matrix: [...IDENTITY] };
 const deform = (from: Recipe, id = 'bend') => {
-  const step = edit.stepById(from, id);
-  if (step?.type !== 'deform') throw new Error(`no deform step ${id}`);
+  const step = edit.stepOf(from, id, 'deform');
+  if (!step) throw new Error(`no deform step ${id}`);
   return step;
 };
 
 test('edits leave the recipe they start from alone and share what they do not touch', () => {
   const before = structuredClone(recipe);
-  const moved = edit.updateHandle(recipe, 'bend', 1, { matrix: IDENTITY });
+  const moved = deformEdit.updateHandle(recipe, 'bend', 1, { matrix: IDENTITY });
   expect(recipe).toEqual(before);
   expect(deform(moved).handles[1]).toMatchObject({ matrix: IDENTITY });
   expect(deform(moved).handles[0]).toBe(deform(recipe).handles[0]);
@@ -23,44 +26,35 @@ test('edits leave the recipe they start from alone and share what they do not to
 });
 
 test('an edit that changes nothing returns the very same recipe', () => {
-  expect(edit.setRoi(recipe, 'bend', 'all')).toBe(recipe);
-  expect(edit.setMethod(recipe, 'no such step', 'naive')).toBe(recipe);
-  expect(edit.updateHandle(recipe, 'bend', 99, { name: 'x' })).toBe(recipe);
-  expect(edit.removeHandle(recipe, 'bend', 99)).toBe(recipe);
+  expect(deformEdit.setRoi(recipe, 'bend', 'all')).toBe(recipe);
+  expect(deformEdit.setMethod(recipe, 'no such step', 'naive')).toBe(recipe);
+  expect(deformEdit.updateHandle(recipe, 'bend', 99, { name: 'x' })).toBe(recipe);
+  expect(deformEdit.removeHandle(recipe, 'bend', 99)).toBe(recipe);
   expect(edit.removeStep(recipe, 'no such step')).toBe(recipe);
   expect(edit.pruneModels(recipe)).toBe(recipe);
 });
 
 test('handles are added, named, hidden and removed', () => {
-  const four = edit.addHandle(recipe, 'bend', handle);
-  const named = edit.updateHandle(four, 'bend', 3, { name: 'tail', hidden: true });
+  const bend = deform(recipe);
+  const four = edit.replaceStep(recipe, { ...bend, handles: [...bend.handles, handle] });
+  const named = deformEdit.updateHandle(four, 'bend', 3, { name: 'tail', hidden: true });
   expect(deform(named).handles[3]).toEqual({ ...handle, name: 'tail', hidden: true });
-  expect(deform(edit.updateHandle(named, 'bend', 3, { name: undefined })).handles[3]).toEqual({
+  expect(deform(deformEdit.updateHandle(named, 'bend', 3, { name: undefined })).handles[3]).toEqual({
     ...handle,
     hidden: true,
   });
-  expect(edit.removeHandle(four, 'bend', 3)).toEqual(recipe);
+  expect(deformEdit.removeHandle(four, 'bend', 3)).toEqual(recipe);
 });
 
 test('a removed step is bridged: what started from it starts from what it started from', () => {
   const chain = ['a', 'b', 'c'].reduce(
-    (held, id, at) => edit.addStep(held, edit.newDeformStep(id, at ? 'abc'[at - 1]! : 'bar')),
-    edit.setOutputs(recipe, []),
+    (held, id, at) => edit.addStep(held, newDeformStep(id, at ? 'abc'[at - 1]! : 'bar')),
+    { ...recipe, outputs: [{ step: 'b', file: 'b.ply' }] },
   );
-  const without = edit.setOutputs(
-    edit.removeStep(edit.setOutputs(chain, [{ step: 'b', file: 'b.ply' }]), 'b'),
-    [],
-  );
+  const without = edit.removeStep(chain, 'b');
+  expect(without.outputs).toEqual([]);
   expect(deform(without, 'c').model).toBe('a');
   expect(parseRecipe(without)).toEqual(without);
-});
-
-test('a renamed step keeps its followers and outputs', () => {
-  const two = edit.addStep(recipe, edit.newDeformStep('twist', 'bend'));
-  const renamed = edit.renameStep(two, 'bend', 'bow');
-  expect(deform(renamed, 'twist').model).toBe('bow');
-  expect(renamed.outputs[0]!.step).toBe('bow');
-  expect(edit.renameStep(renamed, 'bow', 'bend')).toEqual(two);
 });
 
 test('models that nothing uses are pruned', () => {

@@ -101,9 +101,9 @@ test('a gesture that previewed nothing adds nothing', () => {
 
 test('numbers typed in quick succession are one entry, until a pause, a save, an undo or another field', () => {
   const { history, clock } = fresh();
-  const type = (name: string, merge: string, after = 100) => {
+  const type = (name: string, series: string, after = 100) => {
     clock.time += after;
-    history.commit(`Set ${merge}`, doc(name), history.selection, { merge });
+    history.commit(`Set ${series}`, doc(name), history.selection, { series });
     return history.entries.length - 1;
   };
   expect(type('1', 'x')).toBe(1);

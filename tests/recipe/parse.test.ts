@@ -1,7 +1,8 @@
 import { describe, expect, test } from 'vitest';
+import { IDENTITY } from '../../web/core/affine';
 import { LissomError } from '../../web/core/errors';
 import { parseRecipe } from '../../web/recipe/parse';
-import { example, IDENTITY } from './arbitraries';
+import { example } from './arbitraries';
 
 type Change = readonly [path: string, value: unknown];
 const REMOVED = Symbol('removed');

@@ -78,7 +78,7 @@ export class FakeKernel implements KernelPort {
     this.#models.set(model, { positions: positions.slice() });
     const findings =
       faceOffsets.length < 2 ? [{ code: 'no-faces', count: 1, examples: [], repaired: false }] : [];
-    return { model, findings, triangles: new Uint32Array(), components: 1 };
+    return { id: model, findings, triangles: new Uint32Array(), components: 1 };
   }
 
   #prepare({ model, handles }: Args<'prepareDeform'>): unknown {
@@ -86,7 +86,7 @@ export class FakeKernel implements KernelPort {
     const deform = this.#nextId++;
     this.#sessions.set(deform, { model, handles });
     return {
-      deform,
+      id: deform,
       free: 5,
       degenerate: 2,
       warnings: [],

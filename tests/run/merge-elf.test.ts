@@ -8,6 +8,7 @@ import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
+import type { StepResult } from '../../web/run/results';
 import { affine, transformed } from '../kernel/shapes';
 
 let kernel: KernelPort;
@@ -31,10 +32,10 @@ async function loopOf(model: Model, region: readonly number[]): Promise<number[]
   const { positions, faceOffsets, faceVertices } = model;
   const opened = await kernel.call('openModel', { positions, faceOffsets, faceVertices });
   const loops = await kernel.call('loopsAround', {
-    model: opened.model,
+    model: opened.id,
     vertices: Uint32Array.from(region),
   });
-  await kernel.call('release', { id: opened.model });
+  await kernel.call('release', { id: opened.id });
   return [...loops.reduce((longest, loop) => (loop.length > longest.length ? loop : longest))];
 }
 
@@ -64,11 +65,11 @@ async function merge(source: Model, target: Model, step: object) {
     steps: [{ id: 'm', type: 'merge', source: 'source', target: 'target', ...step }],
   });
   const runner = new Runner({ kernel, models: { load: async (name) => models[name]! } });
-  const { model, report } = (await runner.run(recipe)).get('m')!;
-  return { model, report, seam: report.seam as Record<string, number> };
+  const { model, report } = (await runner.run(recipe)).get('m') as StepResult<'merge'>;
+  return { model, report, seam: report.seam };
 }
 
-test('an elf gets the head it always wanted, wherever the head lay before', { timeout: 60_000 }, async () => {
+test('an elf gets the head it always wanted, wherever the head lay before', async () => {
   const head = load('head-elf');
   const body = load('body-female');
   const neck = neckOf(head);
@@ -82,7 +83,7 @@ test('an elf gets the head it always wanted, wherever the head lay before', { ti
   };
   const { model, report, seam } = await merge(head, body, { boundaries: [boundary] });
   expect(report.eulerCharacteristic).toBe(2);
-  expect(seam.highDihedral).toBeLessThan(Math.max(20, seam.ownHighDihedral!));
+  expect(seam.highDihedral).toBeLessThan(Math.max(20, seam.ownHighDihedral));
   expect(seam.leastAngle).toBeGreaterThan(1);
   expect(vertexCount(model)).toBeGreaterThan(vertexCount(head));
 

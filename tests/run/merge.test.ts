@@ -5,6 +5,7 @@ import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
+import type { StepResult } from '../../web/run/results';
 import { bowl, dome, tube } from '../kernel/tubes';
 
 let kernel: KernelPort;
@@ -31,7 +32,7 @@ async function run(step: object, models: Record<string, Model> = { source, targe
     steps: [{ id: 'm', type: 'merge', source: 'source', target: 'target', ...step }],
   });
   const runner = new Runner({ kernel, models: { load: async (name) => models[name]! } });
-  return (await runner.run(recipe)).get('m')!;
+  return (await runner.run(recipe)).get('m') as StepResult<'merge'>;
 }
 
 /** How often each directed edge is run along. */
@@ -127,7 +128,7 @@ describe('a feature and two regions are enough', () => {
   test('the boundary is found, its energy falls, and one closed model comes out', async () => {
     const { model, report } = await run({ optimalBoundary }, models);
     expectWatertight(model);
-    const energy = report.energy as number[];
+    const energy = report.energy!;
     expect(energy.length).toBeGreaterThan(1);
     for (const [k, value] of energy.entries()) if (k > 0) expect(value).toBeLessThanOrEqual(energy[k - 1]!);
     expect(report).toMatchObject({ eulerCharacteristic: 2 });

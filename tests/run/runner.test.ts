@@ -1,9 +1,9 @@
 import { beforeEach, describe, expect, test } from 'vitest';
 import { LissomError } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
-import * as edit from '../../web/recipe/edit';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
+import * as edit from '../../web/recipe/steps/deform-edits';
 import { Runner } from '../../web/run/evaluate';
 import { PlacedError } from '../../web/run/types';
 import { FakeKernel } from './fake-kernel';
@@ -51,7 +51,7 @@ test('a step gives its model with other positions and a report', async () => {
   const { bend } = Object.fromEntries(await runner.run(simple));
   expect([...bend!.model.positions.slice(9)]).toEqual([0, 0, 3]);
   expect(bend!.model.faceVertices).toBe(MODELS.one!.faceVertices);
-  expect(bend!.input.model).toBe(MODELS.one);
+  expect(bend!.inputs[0]!.model).toBe(MODELS.one);
   expect(bend!.report).toEqual({
     id: 'bend',
     type: 'deform',
@@ -82,7 +82,7 @@ describe('nothing is computed twice', () => {
     const again = await runner.run(simple);
     expect(again.get('bend')!.model).toBe(first.get('bend')!.model);
     await runner.run(edit.updateHandle(simple, 'bend', 1, { name: 'tail', hidden: true }));
-    await runner.run(edit.renameStep(simple, 'bend', 'bow'));
+    await runner.run({ ...simple, steps: [{ ...simple.steps[0]!, id: 'bow' }] });
     expect(kernel.take()).toEqual({});
   });
 
@@ -137,7 +137,7 @@ describe('steps in a row', () => {
   test('a later step starts from what an earlier one left', async () => {
     const results = await runner.run(chain);
     expect(results.get('second')!.model.positions[3]).toBe(3);
-    expect(results.get('second')!.input.model).toBe(results.get('first')!.model);
+    expect(results.get('second')!.inputs[0]!.model).toBe(results.get('first')!.model);
   });
 
   test('only what the wanted step depends on is run', async () => {
@@ -146,10 +146,10 @@ describe('steps in a row', () => {
   });
 
   test('the model a step starts from can be had without running the step', async () => {
-    expect((await runner.input(chain, 'second')).model.positions[3]).toBe(2);
-    expect((await runner.input(chain, 'first')).model).toBe(MODELS.one);
-    expect((await runner.input(chain, 'b')).model).toBe(MODELS.two);
-    await expect(runner.input(chain, 'nowhere')).rejects.toMatchObject({ code: 'step-not-found' });
+    expect((await runner.inputs(chain, 'second'))[0]!.model.positions[3]).toBe(2);
+    expect((await runner.inputs(chain, 'first'))[0]!.model).toBe(MODELS.one);
+    expect((await runner.opened(chain, 'b')).model).toBe(MODELS.two);
+    await expect(runner.inputs(chain, 'nowhere')).rejects.toMatchObject({ code: 'step-not-found' });
   });
 
   test('progress runs from step to step up to one', async () => {

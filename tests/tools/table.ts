@@ -1,10 +1,11 @@
 // A table to try tools on: a flat sheet of 21 × 21 vertices, one CSS pixel a model unit, seen from above.
 
 import type { DeformStep } from '../../web/recipe/recipe';
+import type { Paint } from '../../web/tools/brush-stroke';
 import type { DeformEdit, DeformHost, DeformScene, EditLabel } from '../../web/tools/deform/host';
 import { MeshGraph } from '../../web/tools/mesh-graph';
 import type { Tool } from '../../web/tools/tool';
-import type { Hit, PointerSample, RegionPaint } from '../../web/view/types';
+import type { Hit, PointerSample } from '../../web/view/types';
 
 export const SIDE = 21;
 export const at = (x: number, y: number): number => y * SIDE + x;
@@ -37,7 +38,7 @@ export class Table implements DeformHost {
   step: DeformStep;
   selected: number | null = null;
   previewed: DeformEdit | null = null;
-  painted: Pick<RegionPaint, 'kind' | 'vertices'> | null = null;
+  painted: Paint | null = null;
   readonly commits: EditLabel[] = [];
   erase = false;
   radius = 1.5;
@@ -53,12 +54,6 @@ export class Table implements DeformHost {
 
   readonly view = {
     pick: (x: number, y: number): Hit | null => this.hit(x, y),
-    pickMarker: (x: number, y: number): string | null => {
-      const index = this.step.handles.findIndex(
-        (h) => h.kind === 'point' && Math.hypot(h.position[0] - x, h.position[1] - y) < 0.5,
-      );
-      return index < 0 ? null : `handle:${index}`;
-    },
     verticesWithin: ({ point }: Hit, radius: number): Uint32Array =>
       Uint32Array.from({ length: SIDE * SIDE }, (_, i) => i).filter(
         (i) => Math.hypot((i % SIDE) - point[0], Math.floor(i / SIDE) - point[1]) <= radius,
@@ -68,6 +63,15 @@ export class Table implements DeformHost {
     pixelSize: () => 1,
     setBrush: (brush: { hit: Hit; radius: number; erase: boolean } | null) => {
       this.brushShown = brush;
+    },
+  };
+
+  readonly markers = {
+    pickMarker: (x: number, y: number): string | null => {
+      const index = this.step.handles.findIndex(
+        (h) => h.kind === 'point' && Math.hypot(h.position[0] - x, h.position[1] - y) < 0.5,
+      );
+      return index < 0 ? null : `handle:${index}`;
     },
   };
 
@@ -92,7 +96,7 @@ export class Table implements DeformHost {
   select(handle: number | null): void {
     this.selected = handle;
   }
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void {
+  showPaint(paint: Paint | null): void {
     this.painted = paint;
   }
 

@@ -75,7 +75,7 @@ TriangleMesh box(int nx, int ny, int nz, const Eigen::Vector3d& size) {
     return draft.mesh();
 }
 
-TriangleMesh bar() { return box(8, 60, 8, {1, 7.5, 1}); }
+TriangleMesh bar() { return box(8, 60, 8, {1, 8, 1}); }
 
 TriangleMesh uv_sphere(int parallels, int meridians) {
     Draft draft;
@@ -198,6 +198,21 @@ TriangleMesh bumpy_sheet(int nx, int ny) {
         mesh.points(v, 2) = 0.11 * std::sin(7 * x + 1) * std::cos(5 * y) + 0.07 * std::sin(9 * y + 3 * x * x);
     }
     return mesh;
+}
+
+TriangleMesh flat_ring(int rows, int around) {
+    Draft draft;
+    for (int i = 0; i < rows; ++i)
+        for (int j = 0; j < around; ++j) {
+            const double r = 1 + static_cast<double>(i) / (rows - 1), u = 2 * k_pi * j / around;
+            draft.point({r * std::cos(u), r * std::sin(u), 0});
+        }
+    for (int i = 0; i + 1 < rows; ++i)
+        for (int j = 0; j < around; ++j) {
+            const int p = i * around, q = p + around, next = (j + 1) % around;
+            draft.quad(p + j, q + j, q + next, p + next);
+        }
+    return draft.mesh();
 }
 
 TriangleMesh cylinder(int around, int along, double height) {

@@ -15,7 +15,7 @@ using lissom::TriangleMesh;
 using lissom::Triangles;
 
 /// Closed box, its sides regular grids of exactly coplanar vertices; x and z centred, y from 0 to size.y.
-/// The bar of 2,050 vertices is box(8, 60, 8, {1, 7.5, 1}).
+/// The bar of 2,050 vertices, 1 × 8 × 1, is box(8, 60, 8, {1, 8, 1}).
 [[nodiscard]] TriangleMesh box(int nx, int ny, int nz, const Eigen::Vector3d& size = {1, 1, 1});
 [[nodiscard]] TriangleMesh bar();
 
@@ -33,6 +33,8 @@ using lissom::Triangles;
 [[nodiscard]] TriangleMesh sheet(int nx = 10, int ny = 10);
 /// The sheet with hills: no two triangles coplanar.
 [[nodiscard]] TriangleMesh bumpy_sheet(int nx = 10, int ny = 10);
+/// Flat ring in z = 0, radius 1 to 2, `rows` rows of `around` vertices, the inner border first, facing +z.
+[[nodiscard]] TriangleMesh flat_ring(int rows = 8, int around = 20);
 /// Open at both ends, radius 1, along z from 0 to height.
 [[nodiscard]] TriangleMesh cylinder(int around = 24, int along = 12, double height = 3);
 /// One-sided strip with one boundary loop.

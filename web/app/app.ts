@@ -1,7 +1,8 @@
 // Builds the app from its parts. The one place where services learn of each other.
 
-import { effect, signal } from '@preact/signals';
+import { effect } from '@preact/signals';
 import type { KernelPort } from '../kernel/contract';
+import type { Recipe } from '../recipe/recipe';
 import { Runner } from '../run/evaluate';
 import type { ViewportPort } from '../view/types';
 import type { App } from './api';
@@ -9,49 +10,44 @@ import { Autosave } from './autosave';
 import { checkedStore } from './checked-store';
 import { Commands } from './commands';
 import { allCommands } from './commands/all';
-import { DeformActions } from './deform-actions';
-import { AppDeformHost } from './deform-host';
 import { Desk } from './desk';
 import { Document, EMPTY } from './document';
 import { Evaluator } from './evaluation';
 import { syncFigures } from './figures';
 import type { FileDialogs } from './file-dialogs';
 import { Files } from './files';
-import { Gallery, recipeOn } from './gallery';
-import { HairActions } from './hair/actions';
-import { syncField } from './hair/field-sync';
-import { AppHairHost } from './hair/host';
-import { AppLengthHost } from './hair/length-host';
-import { hideCurvesAtFirst } from './hair/opening';
-import { syncHair } from './hair/view-sync';
-import { besidesViewed, endViewingOnChange, syncViewed } from './hair/viewed';
+import { Gallery } from './gallery';
 import { t } from './i18n';
 import { Keymap } from './keymap';
-import { MergeActions } from './merge/actions';
-import { type Panes, syncPanes } from './merge/panes';
 import { Messages } from './messages';
 import { ModelStore } from './model-store';
+import { type Pane, Panes } from './panes';
 import { StoredSettings } from './settings';
 import { Share } from './share';
-import { State, TOOLS, type ToolId } from './state';
+import { besidesViewing, syncModel } from './shown-model';
+import { State } from './state';
 import { statusText } from './status';
 import type { DocumentStore } from './store';
 import type { Claims } from './tab-claim';
-import { ToolSwitch } from './tools';
-import { syncView } from './view-sync';
-import { hairRecipeOn, Workspaces } from './workspaces';
+import { PointerSwitch } from './tools';
+import { endViewingOnChange } from './viewing';
+import type { BareModel, Gestures } from './wing';
+import type { WingParts } from './wing-parts';
+import { keepMounted, NOTHING_MOUNTED, type OnScreen, WingRoom } from './wing-room';
+import { HOME, wings as registry } from './wings';
+import { Workspaces } from './workspaces';
 
 /** What the app needs of the world; `browser.ts` has the real one, tests make their own. */
 export interface World {
   readonly kernel: KernelPort;
   readonly viewport: ViewportPort | null;
-  /** Makes the viewports of the two models to be merged; called when they are first needed. */
-  readonly panes: () => Panes | null;
+  /** Makes a viewport for one more model; called when it is first needed. */
+  readonly pane: () => Pane | null;
   readonly store: DocumentStore;
   readonly claims: Claims;
   readonly dialogs: FileDialogs;
-  /** Settings that last; `null` where the browser forbids it. */
-  readonly storage: Pick<Storage, 'getItem' | 'setItem'> | null;
+  /** Settings and the journal, which last; `null` where the browser forbids it. */
+  readonly storage: Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'> | null;
   /** Of this tab, lasting over reloads. */
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
   readonly galleryBase: string;
@@ -67,8 +63,7 @@ export interface World {
 /** The app and what `main.tsx` beside the interface needs of it. */
 export interface BuiltApp extends App {
   readonly document: Document;
-  readonly deform: DeformActions;
-  readonly merge: MergeActions;
+  readonly wings: WingRoom;
   readonly keymap: Keymap;
   readonly autosave: Autosave;
   readonly gallery: Gallery;
@@ -79,7 +74,7 @@ export interface BuiltApp extends App {
 
 export function buildApp(world: World): BuiltApp {
   const { viewport } = world;
-  const state = new State(EMPTY);
+  const state = new State(EMPTY, HOME);
   const messages = new Messages(state);
   const failed = (error: unknown) => messages.failed(error);
   const settings = new StoredSettings(world.storage);
@@ -87,18 +82,49 @@ export function buildApp(world: World): BuiltApp {
   const gallery: Gallery = new Gallery(
     world.galleryBase,
     (recipe, title) => desk.open({ recipe, title }),
-    ({ name, scalp }) => (scalp && state.workspace.peek() === 'hair' ? hairRecipeOn(name) : recipeOn(name)),
+    ({ name, scalp = false }) => openingOf({ name, ref: { builtin: name }, scalp }),
   );
   const models = new ModelStore((name) => gallery.model(name));
   const runner = new Runner({ kernel: world.kernel, models });
-  const evaluator = new Evaluator(runner, state, failed);
+  const evaluator: Evaluator = new Evaluator({
+    runner,
+    state,
+    strategyOf: (step) => wings.strategyOf(step),
+    ready: () => wings.load(state.workspace.peek()),
+    failed,
+  });
+  const result = besidesViewing(state, evaluator);
   const store = checkedStore(world.store, () => messages.toast('warn', t('error.stored-damaged')));
   const autosave = new Autosave({ ...world, store, state, document, models, messages });
-  const desk = new Desk(state, document, runner, autosave, messages);
-  const deform = new DeformActions(document, evaluator);
-  const hair = new HairActions({ state, document, evaluator, models, viewport });
-  const merge = new MergeActions({ state, document, runner });
-  const workspaces = new Workspaces({ state, document, desk, evaluator, messages, merge });
+  const room = () => wings;
+  const desk = new Desk(state, document, runner, room, autosave, messages);
+  const workspaces = new Workspaces({ state, document, wings: room });
+  const panes = new Panes(world.pane);
+  const onScreen: { now: () => OnScreen } = { now: () => NOTHING_MOUNTED };
+  const pointer = viewport && pointerOf(viewport, state, settings, () => onScreen.now().tools);
+  const gestures: Gestures = {
+    cancel() {
+      const active = [state.previewing.peek(), pointer?.cancel(), onScreen.now().cancel?.()];
+      if (state.previewing.peek()) document.cancel();
+      return active.some(Boolean);
+    },
+    back: () => onScreen.now().back?.() ?? false,
+  };
+  const parts: WingParts = {
+    state,
+    document,
+    evaluator,
+    runner,
+    models,
+    desk,
+    workspaces,
+    messages,
+    settings,
+    viewport,
+    panes,
+    gestures,
+  };
+  const wings: WingRoom = new WingRoom(registry, parts, failed);
   const files = new Files({
     state,
     document,
@@ -107,83 +133,58 @@ export function buildApp(world: World): BuiltApp {
     evaluator,
     viewport,
     messages,
-    merge,
+    wings: room,
     dialogs: world.dialogs,
   });
   const share = new Share(document, messages, world);
+  const context = { state, document, wings, workspaces, files, settings, viewport, gestures };
+  const commands = new Commands({
+    all: allCommands(context, () => wings.loaded.value.values()),
+    failed,
+    workspace: () => state.workspace.value,
+  });
+  const keymap = new Keymap(commands, settings, world.mac);
+
+  /** What a bare model opens with: as the open workspace has it, else as the first one has. */
+  async function openingOf(model: BareModel): Promise<Recipe> {
+    const home = await wings.load(HOME);
+    return (wings.open.peek()?.wing.opening?.(model) ?? home.opening?.(model))!;
+  }
+
   const stops = [
-    syncFigures(state, evaluator, runner, failed),
-    hideCurvesAtFirst(state),
+    wings.follow(),
+    syncFigures(state, evaluator, (shown) => wings.publish(shown)),
     endViewingOnChange(state),
     document.onCommit(() => {
       state.hint.value = null;
     }),
-  ];
-
-  let cancelGesture = () => false;
-  let goBack = () => false;
-  if (viewport) {
-    const host = new AppDeformHost(viewport, state, document, evaluator);
-    const hairHost = new AppHairHost({ viewport, state, document, evaluator, messages });
-    const lengths = new AppLengthHost({ state, document, hair: hairHost });
-    const tools = new ToolSwitch({ view: viewport, deform: host, hair: hairHost, lengths, state, settings });
-    const own = { result: besidesViewed(state, evaluator) };
-    const view = syncView({ viewport, state, evaluator: own, host });
-    const stopHair = syncHair({ viewport, state, evaluator: own, host: hairHost });
-    goBack = () => tools.back();
-    viewport.setPointerHandler(tools);
-    cancelGesture = () => {
-      const active = tools.busy || state.previewing.peek();
-      tools.cancel();
-      view.gizmo.onCancel();
-      if (state.previewing.peek()) document.cancel();
-      return active;
-    };
-    const stopField = syncField({ viewport, state, evaluator: own, runner, failed });
-    const stopViewed = syncViewed(viewport, state);
-    stops.push(view.stop, stopHair, stopField, stopViewed, () => viewport.setPointerHandler(null));
-  }
-
-  const panes = signal<Panes | null>(null);
-  const cancelMain = cancelGesture;
-  stops.push(
     effect(() => {
-      if (state.workspace.value !== 'merge' || panes.peek()) return;
-      panes.value = world.panes();
-      if (!panes.value) return;
-      const synced = syncPanes(panes.value, { state, document, actions: merge, settings });
-      stops.push(synced.stop);
-      cancelGesture = () => [synced.cancel(), cancelMain()].some((active) => active);
-    }),
-  );
-
-  const gestures = { cancel: () => cancelGesture(), back: () => goBack() };
-  const context = { state, document, deform, hair, merge, workspaces, files, settings, viewport, gestures };
-  const commands = new Commands(allCommands(context), failed, () => state.workspace.value);
-  const keymap = new Keymap(commands, settings, world.mac);
-  stops.push(
-    effect(() => {
-      state.status.value = statusText(state, keymap);
+      const { tools = [] } = wings.open.value?.wing ?? {};
+      if (tools.length > 0 && !tools.includes(state.tool.peek())) state.tool.value = tools[0]!;
     }),
     effect(() => {
-      const tools: readonly ToolId[] = TOOLS[state.workspace.value];
-      if (!tools.includes(state.tool.peek())) state.tool.value = tools[0]!;
+      state.status.value = statusText(state, keymap, wings);
     }),
     effect(() => {
       const { theme } = settings.values.value;
       const display = state.display.peek();
       if (display.theme !== theme) state.display.value = { ...display, theme };
     }),
-  );
+  ];
+  if (viewport && pointer) {
+    const model = syncModel(viewport, state, result);
+    const mounted = keepMounted(viewport, state, wings.open);
+    onScreen.now = mounted.now;
+    viewport.setPointerHandler(pointer);
+    stops.push(model, mounted.stop, () => viewport.setPointerHandler(null));
+  }
 
   return {
     state,
     commands,
     keymap,
     document,
-    deform,
-    hair,
-    merge,
+    wings,
     workspaces,
     files,
     autosave,
@@ -198,7 +199,22 @@ export function buildApp(world: World): BuiltApp {
     reload: () => void autosave.flush().then(world.reload),
     dispose: () => {
       for (const stop of stops) stop();
+      for (const wing of wings.loaded.peek().values()) wing.dispose?.();
       evaluator.dispose();
+      autosave.dispose();
     },
   };
 }
+
+/** The pointer of the main viewport goes to the tool in hand, unless something else is looked at. */
+const pointerOf = (
+  viewport: ViewportPort,
+  state: State,
+  settings: StoredSettings,
+  tools: () => OnScreen['tools'],
+) =>
+  new PointerSwitch(
+    viewport,
+    () => (state.viewing.peek() ? undefined : tools()[state.tool.peek()]),
+    settings,
+  );

@@ -1,13 +1,16 @@
-// Keeps the work in the browser a second after each edit, with its undo history, and brings it back after a
-// reload or a crash. Every document that is opened gets a restore point of its own; the last 20 are kept.
+// Keeps the work in the browser: the newest state in the journal at every edit, all of it with its undo history
+// in the store within two seconds. Brings it back after a reload or a crash. Every document that is opened gets
+// a restore point of its own; the last 20 are kept.
 
-import { formatRecipe } from '../recipe/format';
-import { parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
 import type { AutosaveService, MessageService, RestorePoint } from './api';
-import type { Document, Entry } from './document';
+import type { Document } from './document';
 import { t } from './i18n';
-import { type ModelStore, sha256 } from './model-store';
+import { Journal, type JournalStorage } from './journal';
+import { KeptWork, type Opened } from './kept-work';
+import type { ModelStore } from './model-store';
+import { hashedText } from './recipe-text';
+import { countsOf } from './replay';
 import type { State } from './state';
 import type { DocumentStore, StoredDocument } from './store';
 import type { Claims } from './tab-claim';
@@ -15,13 +18,20 @@ import type { Claims } from './tab-claim';
 export const MOST_RESTORE_POINTS = 20;
 /** Undo steps that survive a reload. */
 const MOST_ENTRIES = 200;
+/** After an edit the store is written when nothing more comes for so long, in milliseconds … */
 const DELAY = 1000;
+/** … and at the latest so long after the first edit that it lacks. */
+export const LONGEST_DELAY = 2000;
+/** What could not be written is tried again after so long. */
+const RETRY = 5000;
 
 export interface AutosaveParts {
   readonly state: State;
   readonly document: Document;
   readonly models: ModelStore;
   readonly store: DocumentStore;
+  /** What the journal is written into; `null` where the browser forbids it. */
+  readonly storage: JournalStorage | null;
   readonly claims: Claims;
   readonly messages: MessageService;
   /** Of this tab, lasting over reloads. */
@@ -38,21 +48,44 @@ export class Autosave implements AutosaveService {
   #id = '';
   #own = false;
   #link: string | undefined;
+  /** Edits of this document so far, and how many of them the store and the journal have. */
+  #revision = 0;
+  #written = 0;
+  #journalled = 0;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  /** Runs from the first edit that the store lacks; later ones do not restart it. */
+  #deadline: ReturnType<typeof setTimeout> | undefined;
   #writing: Promise<void> = Promise.resolve();
+  #failing = false;
   #asked = false;
-  /** Hash and bytes of a recipe's text: recipes never change in place. */
-  readonly #texts = new WeakMap<Recipe, Promise<{ readonly hash: string; readonly bytes: Uint8Array }>>();
+  readonly #journal: Journal;
+  readonly #unsubscribe: () => void;
+  /** Files that the store is known to have, by hash. */
+  readonly #files = new Set<string>();
+  readonly #kept: KeptWork;
 
   constructor(private readonly parts: AutosaveParts) {
-    parts.document.onCommit(() => {
+    this.#journal = new Journal(parts.storage);
+    const onCopied = (id: string, copy: string) => {
+      if (parts.tab.getItem(TAB_KEY) === id) this.#rememberInTab(copy);
+    };
+    this.#kept = new KeptWork({ ...parts, journal: this.#journal, onCopied });
+    this.#unsubscribe = parts.document.onCommit(() => {
       if (this.#isOwn) this.touch();
     });
+    parts.claims.onLost((id) => {
+      if (id === this.#id) this.#goOnAsCopy();
+    });
+  }
+
+  /** Grows with every edit; over reloads too. */
+  get revision(): number {
+    return this.#revision;
   }
 
   /** A new document: what was kept of the last one stays. */
   begin({ own, link }: { readonly own: boolean; readonly link?: string | undefined }): void {
-    this.#follow(this.parts.newId());
+    this.#follow(this.parts.newId(), 0);
     void this.parts.claims.claim(this.#id);
     this.#own = own;
     this.#link = link;
@@ -61,41 +94,62 @@ export class Autosave implements AutosaveService {
 
   /** Marks the document as to be saved. */
   touch(): void {
+    if (this.#id === '') return;
+    this.#revision++;
     this.parts.state.saved.value = { kind: 'unsaved' };
-    clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => void this.flush(), DELAY);
+    this.lastWord();
+    // The journal has no files, and nothing that is too large for it.
+    const now =
+      this.#journalled < this.#revision || this.#filesOf(this.parts.document.recipe).some(this.#isNew);
+    this.#schedule(now ? 0 : DELAY);
     if (this.#asked) return;
     this.#asked = true;
     this.parts.persist();
   }
 
+  /** Puts the newest state into the journal if neither it nor the store has it. Done when it returns. */
+  lastWord(): void {
+    if (this.#id === '' || !this.#isOwn) return;
+    if (Math.max(this.#journalled, this.#written) >= this.#revision) return;
+    const { document, state } = this.parts;
+    const current = document.entries[document.index]!;
+    const after = document.entries[document.index - 1];
+    const isWritten = this.#journal.write({
+      id: this.#id,
+      revision: this.#revision,
+      title: state.title.peek(),
+      ...(this.#link !== undefined && { link: this.#link }),
+      selection: current.selection,
+      label: current.label,
+      time: current.time,
+      ...(after && { after: { label: after.label, time: after.time } }),
+      files: this.#filesOf(current.document).map(({ file, hash }) => ({ file, hash })),
+      recipe: current.document,
+    });
+    if (isWritten) this.#journalled = this.#revision;
+  }
+
   /** Writes now what waits to be written. Never throws: what went wrong is in `state.saved`. */
   flush(kind: StoredDocument['kind'] = 'auto'): Promise<void> {
-    clearTimeout(this.#timer);
-    const { saved } = this.parts.state;
-    if (this.#id === '' || !this.#isOwn || (saved.peek().kind === 'saved' && kind === 'auto'))
-      return this.#writing;
+    this.#unschedule();
+    if (this.#id === '' || !this.#isOwn || (kind === 'auto' && this.#isWritten)) return this.#writing;
     const id = this.#id;
-    saved.value = { kind: 'saving' };
-    this.#writing = this.#writing.then(async () => {
-      try {
-        const time = await this.#write(id, kind);
-        if (saved.peek().kind === 'saving') saved.value = { kind: 'saved', time };
-      } catch (error) {
-        const message = t('error.autosave', {
-          detail: error instanceof Error ? error.message : String(error),
-        });
-        if (saved.peek().kind !== 'failed') this.parts.messages.toast('warn', message);
-        saved.value = { kind: 'failed', message };
-      }
-    });
+    this.parts.state.saved.value = { kind: 'saving' };
+    this.#writing = this.#writing.then(() => this.#save(id, kind));
     return this.#writing;
+  }
+
+  dispose(): void {
+    this.#unschedule();
+    this.#unsubscribe();
+    this.#id = '';
   }
 
   /** Before another document takes its place. @returns whether there was work of one's own to keep */
   async setAside(): Promise<boolean> {
     const isOwn = this.#id !== '' && this.#isOwn;
     if (isOwn) await this.flush('kept');
+    this.#unschedule();
     this.parts.claims.release(this.#id);
     this.#id = '';
     return isOwn;
@@ -103,17 +157,16 @@ export class Autosave implements AutosaveService {
 
   async restorePoints(): Promise<readonly RestorePoint[]> {
     await this.flush();
-    const all = [...(await this.parts.store.documents())].sort((a, b) => b.time - a.time);
-    return all.map(({ id, time, title, steps, handles, kind }) => {
+    return (await this.#kept.documents(this.#id)).map(({ id, time, title, steps, handles, kind }) => {
       return { id, time, title, steps, handles, kind, current: id === this.#id };
     });
   }
 
   async restore(id: string): Promise<void> {
     if (id === this.#id) return;
-    const stored = await this.parts.store.document(id);
+    const stored = await this.#kept.document(id);
     if (!stored) return;
-    const opened = await this.#read(stored);
+    const opened = await this.#kept.read(stored);
     if (await this.setAside()) this.parts.messages.toast('info', t('toast.kept'));
     await this.#lay(stored, opened);
   }
@@ -123,7 +176,7 @@ export class Autosave implements AutosaveService {
    * @param link  the address opened now: its own stored changes go before it, no others do
    */
   async restoreLast(link?: string): Promise<boolean> {
-    const all = [...(await this.parts.store.documents())].sort((a, b) => b.time - a.time);
+    const all = await this.#kept.documents(this.#id);
     const mine = all.find(({ id }) => id === this.parts.tab.getItem(TAB_KEY));
     const candidates = link
       ? all.filter((each) => each === mine && each.link === link)
@@ -131,7 +184,7 @@ export class Autosave implements AutosaveService {
     for (const stored of candidates) {
       if (!(await this.parts.claims.claim(stored.id))) continue;
       try {
-        await this.#lay(stored, await this.#read(stored));
+        await this.#lay(stored, await this.#kept.read(stored));
         return true;
       } catch (error) {
         this.parts.claims.release(stored.id);
@@ -147,8 +200,20 @@ export class Autosave implements AutosaveService {
     return this.#own || entries.some(({ document }) => document !== entries[0]?.document);
   }
 
-  #follow(id: string): void {
+  get #isWritten(): boolean {
+    return this.#written === this.#revision;
+  }
+
+  /** @param revision  what the store has of it */
+  #follow(id: string, revision: number): void {
     this.#id = id;
+    this.#revision = revision;
+    this.#written = revision;
+    this.#journalled = revision;
+    this.#rememberInTab(id);
+  }
+
+  #rememberInTab(id: string): void {
     try {
       this.parts.tab.setItem(TAB_KEY, id);
     } catch {
@@ -156,22 +221,65 @@ export class Autosave implements AutosaveService {
     }
   }
 
+  /** Another tab has this document now, too: from here on it is one of its own. */
+  #goOnAsCopy(): void {
+    const id = this.parts.newId();
+    void this.parts.claims.claim(id);
+    this.#follow(id, this.#revision);
+    if (this.#isOwn) this.touch();
+  }
+
+  #schedule(delay: number): void {
+    const write = () => void this.flush();
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(write, delay);
+    this.#deadline ??= setTimeout(write, LONGEST_DELAY);
+  }
+
+  #unschedule(): void {
+    clearTimeout(this.#timer);
+    clearTimeout(this.#deadline);
+    this.#deadline = undefined;
+  }
+
+  async #save(id: string, kind: StoredDocument['kind']): Promise<void> {
+    // A write that was asked for earlier may have taken this one's edits along.
+    if (id !== this.#id || (kind === 'auto' && this.#isWritten)) return;
+    const { state, messages } = this.parts;
+    const revision = this.#revision;
+    try {
+      const time = await this.#write(id, kind);
+      this.#failing = false;
+      if (id !== this.#id) return;
+      this.#written = revision;
+      this.#kept.written(id);
+      if (this.#journalled <= revision) this.#journal.remove(id);
+      state.saved.value = this.#isWritten ? { kind: 'saved', time } : { kind: 'unsaved' };
+    } catch (error) {
+      const detail = error instanceof Error ? error.message : String(error);
+      const message = t('error.autosave', { detail });
+      if (!this.#failing) messages.toast('warn', message);
+      this.#failing = true;
+      if (id !== this.#id) return;
+      state.saved.value = { kind: 'failed', message };
+      clearTimeout(this.#timer);
+      this.#timer = setTimeout(() => void this.flush(), RETRY);
+    }
+  }
+
   async #write(id: string, kind: StoredDocument['kind']): Promise<number> {
-    const { document, models, state, store, now } = this.parts;
-    const from = Math.max(0, document.entries.length - MOST_ENTRIES);
-    const entries = document.entries.slice(from);
-    const texts = await Promise.all(entries.map((entry) => this.#text(entry.document)));
-    const names = new Set(entries.flatMap((entry) => fileNames(entry.document)));
-    const files = [...names].map((name) => models.get(name)).filter((file) => file !== undefined);
-    const bytes = new Map([
-      ...texts.map((text) => [text.hash, text.bytes] as const),
-      ...files.map((file) => [file.hash, file.bytes] as const),
-    ]);
-    const missing = await store.missing(bytes.keys());
+    const { document, state, store, now } = this.parts;
     const { recipe } = document;
+    const revision = this.#revision;
+    const from = Math.max(0, document.entries.length - MOST_ENTRIES);
+    const index = Math.max(0, document.index - from);
+    const entries = document.entries.slice(from);
+    const files = this.#filesOf(...entries.map((entry) => entry.document));
+    const texts = await Promise.all(entries.map((entry) => hashedText(entry.document)));
     const time = now();
     const stored: StoredDocument = {
       id,
+      revision,
       time,
       title: state.title.peek(),
       kind,
@@ -182,13 +290,13 @@ export class Autosave implements AutosaveService {
         time,
         recipe: texts[i]!.hash,
       })),
-      index: Math.max(0, document.index - from),
+      index,
       files: files.map(({ file, hash }) => ({ file, hash })),
-      steps: recipe.steps.length,
-      handles: recipe.steps.reduce((sum, step) => sum + ('handles' in step ? step.handles.length : 0), 0),
+      ...countsOf(recipe),
     };
-    await store.write(stored, new Map(missing.map((hash) => [hash, bytes.get(hash)!])));
-    await this.#prune(id);
+    await store.write(stored, new Map([...texts, ...files].map(({ hash, bytes }) => [hash, bytes])));
+    for (const { hash } of files) this.#files.add(hash);
+    await this.#prune(id).catch(() => {}); // the work is kept; too many restore points are not worth a message
     return time;
   }
 
@@ -198,48 +306,37 @@ export class Autosave implements AutosaveService {
     if (old.length > 0) await this.parts.store.remove(old.map(({ id }) => id));
   }
 
-  #text(recipe: Recipe): Promise<{ hash: string; bytes: Uint8Array }> {
-    let text = this.#texts.get(recipe);
-    if (!text) {
-      const bytes = new TextEncoder().encode(formatRecipe(recipe));
-      text = sha256(bytes).then((hash) => ({ hash, bytes }));
-      this.#texts.set(recipe, text);
-    }
-    return text;
+  /** The opened files that recipes name. */
+  #filesOf(...recipes: readonly Recipe[]) {
+    const names = new Set(recipes.flatMap(fileNames));
+    return [...names].map((name) => this.parts.models.get(name)).filter((file) => file !== undefined);
   }
 
-  async #read(stored: StoredDocument): Promise<readonly Entry[]> {
-    const { store, models } = this.parts;
-    for (const { file, hash } of stored.files) {
-      const bytes = await store.blob(hash);
-      if (bytes) models.put({ file, hash, bytes });
-    }
-    const recipes = new Map<string, Recipe>();
-    const entries: Entry[] = [];
-    for (const { recipe: hash, selection, label, time } of stored.entries) {
-      if (!recipes.has(hash)) {
-        const bytes = await store.blob(hash);
-        if (!bytes) continue;
-        recipes.set(hash, parseRecipe(new TextDecoder().decode(bytes)));
-      }
-      entries.push({ document: recipes.get(hash)!, selection, label, time });
-    }
-    return entries;
-  }
+  readonly #isNew = ({ hash }: { readonly hash: string }): boolean => !this.#files.has(hash);
 
   /** Goes on with a stored document under its own name, or under a new one while another tab has it. */
-  async #lay(stored: StoredDocument, entries: readonly Entry[]): Promise<void> {
-    const { claims, document, newId, state } = this.parts;
+  async #lay(stored: StoredDocument, { entries, index, missing, lost }: Opened): Promise<void> {
+    const { claims, document, messages, newId, state } = this.parts;
+    const { title, revision = 0 } = stored;
     const mine = await claims.claim(stored.id);
-    this.#follow(mine ? stored.id : newId());
+    this.#id = ''; // laying it open is no edit
+    state.title.value = title;
+    state.hint.value = null;
+    document.restore(entries, index);
+    this.#follow(mine ? stored.id : newId(), revision);
     this.#own = true;
     this.#link = stored.link;
-    state.title.value = stored.title;
-    state.hint.value = null;
-    document.restore(entries, stored.index);
-    clearTimeout(this.#timer);
-    state.saved.value = mine ? { kind: 'saved', time: stored.time } : { kind: 'unsaved' };
-    if (!mine) this.touch();
+    if (!mine) {
+      void claims.claim(this.#id);
+      this.touch();
+    } else if (this.#kept.isUnwritten(stored.id)) {
+      this.#written = -1;
+      state.saved.value = { kind: 'unsaved' };
+      this.#schedule(0);
+    } else state.saved.value = { kind: 'saved', time: stored.time };
+    if (missing.length > 0)
+      messages.toast('warn', t('toast.files-gone', { title, files: missing.join(', ') }));
+    if (lost > 0) messages.toast('warn', t('toast.states-gone', { title, count: lost }));
   }
 }
 

@@ -7,15 +7,15 @@ import { browserDialogs } from './file-dialogs';
 import { t } from './i18n';
 import { openLink } from './start';
 import { BrowserStore } from './store';
-import { TabClaims } from './tab-claim';
+import { tabClaims } from './tab-claim';
 import { watchForUpdate } from './update-check';
 
-export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'panes'>): World {
+export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>): World {
   const page = () => location.href.replace(/[?#].*$/s, '');
   return {
     ...parts,
     store: new BrowserStore(),
-    claims: new TabClaims(navigator.locks),
+    claims: tabClaims(newId()),
     dialogs: browserDialogs,
     storage: storageOf(() => localStorage),
     tab: storageOf(() => sessionStorage) ?? { getItem: () => null, setItem: () => {} },
@@ -59,7 +59,10 @@ export function listen(app: BuiltApp): void {
   window.addEventListener('hashchange', () => {
     if (hasLink(location.hash)) void openLink(app, location.hash);
   });
-  const leave = () => void app.autosave.flush();
+  const leave = () => {
+    app.autosave.lastWord();
+    void app.autosave.flush();
+  };
   window.addEventListener('pagehide', leave);
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') leave();

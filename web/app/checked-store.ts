@@ -6,10 +6,13 @@ import type { DocumentStore, StoredDocument } from './store';
 
 const whole = v.pipe(v.number(), v.integer(), v.minValue(0));
 
-const selection = v.looseObject({ step: v.string(), handle: v.exactOptional(v.nullable(whole)) });
+/** Earlier versions say `handle` for any item. */
+const item = v.exactOptional(v.nullable(whole));
+const selection = v.looseObject({ step: v.string(), item, handle: item });
 
 const storedDocument = v.looseObject({
   id: v.string(),
+  revision: v.exactOptional(whole),
   time: v.number(),
   title: v.string(),
   kind: v.picklist(['auto', 'kept']),
@@ -45,7 +48,6 @@ export function checkedStore(store: DocumentStore, onDamaged: () => void): Docum
       return found && sound([found])[0];
     },
     blob: (hash) => store.blob(hash),
-    missing: (hashes) => store.missing(hashes),
     write: (document, blobs) => store.write(document, blobs),
     remove: (ids) => store.remove(ids),
   };

@@ -1,10 +1,13 @@
 // The one command registry: menu, palette, shortcuts, tooltips and the help sheet are all made from it.
-// The commands themselves are in commands/*.ts; keymap.ts decides which keys reach them.
+// The commands themselves are in commands/*.ts and with the wings; keymap.ts decides which keys reach them.
 
+import { computed, type ReadonlySignal } from '@preact/signals';
+import type { WorkspaceId } from '../recipe/recipe';
 import type { MessageKey } from './i18n';
-import type { WorkspaceId } from './state';
 
-export type CommandGroup = 'file' | 'edit' | 'tool' | 'handle' | 'hair' | 'merge' | 'view' | 'help';
+/** A wing may bring one of its own; its name is under `ui.group.…`. */
+export type CommandGroup = 'file' | 'edit' | 'tool' | 'view' | 'help' | WingGroup;
+type WingGroup = Extract<MessageKey, `ui.group.${string}`> extends `ui.group.${infer G}` ? G : never;
 
 export interface Command {
   /** Stable: keymaps are stored under it. */
@@ -26,28 +29,35 @@ export interface Command {
   readonly hidden?: boolean;
 }
 
-export class Commands {
-  readonly #byId = new Map<string, Command>();
+interface Lists {
+  /** In the order menus and the help sheet list them. Reads signals: wings join as they are loaded. */
+  readonly all: () => readonly Command[];
+  /** Told of whatever a command throws. */
+  readonly failed: (error: unknown) => void;
+  /** The workspace that is open; reads signals. */
+  readonly workspace: () => WorkspaceId;
+}
 
-  constructor(
-    commands: readonly Command[],
-    /** Told of whatever a command throws. */
-    private readonly failed: (error: unknown) => void,
-    /** The workspace that is open; reads signals. */
-    private readonly workspace: () => WorkspaceId = () => 'deform',
-  ) {
-    for (const command of commands) {
-      if (this.#byId.has(command.id)) throw new Error(`command ${command.id} is registered twice`);
-      this.#byId.set(command.id, command);
-    }
+export class Commands {
+  readonly #byId: ReadonlySignal<ReadonlyMap<string, Command>>;
+
+  constructor(private readonly lists: Lists) {
+    this.#byId = computed(() => {
+      const byId = new Map<string, Command>();
+      for (const command of lists.all()) {
+        if (byId.has(command.id)) throw new Error(`command ${command.id} is registered twice`);
+        byId.set(command.id, command);
+      }
+      return byId;
+    });
   }
 
   get all(): readonly Command[] {
-    return [...this.#byId.values()];
+    return [...this.#byId.value.values()];
   }
 
   get(id: string): Command {
-    const command = this.#byId.get(id);
+    const command = this.#byId.value.get(id);
     if (!command) throw new Error(`no command ${id}`);
     return command;
   }
@@ -59,7 +69,7 @@ export class Commands {
 
   /** Whether it belongs to the open workspace. */
   isAtHand({ workspace }: Command): boolean {
-    return workspace === undefined || workspace === this.workspace();
+    return workspace === undefined || workspace === this.lists.workspace();
   }
 
   /** Runs the command unless it is disabled; a failure becomes a message, never an exception. */
@@ -68,7 +78,7 @@ export class Commands {
     try {
       await this.get(id).run();
     } catch (error) {
-      this.failed(error);
+      this.lists.failed(error);
     }
   }
 }

@@ -2,14 +2,16 @@
 // place of what was there, and what was there is kept as a restore point.
 
 import type { Finding } from '../core/errors';
+import { stepById } from '../recipe/edit';
 import type { Recipe } from '../recipe/recipe';
-import type { Runner } from '../run/evaluate';
-import type { MessageService } from './api';
+import { referencesOf } from '../recipe/references';
+import type { MessageService, WingService } from './api';
 import type { Autosave } from './autosave';
 import { type Document, openingSelection } from './document';
+import type { RunnerPort } from './evaluated';
 import { factsOf } from './figures';
 import { t } from './i18n';
-import { type State, TOOLS } from './state';
+import type { State } from './state';
 
 export interface Opening {
   readonly recipe: Recipe;
@@ -27,7 +29,8 @@ export class Desk {
   constructor(
     private readonly state: State,
     private readonly document: Document,
-    private readonly runner: Pick<Runner, 'input'>,
+    private readonly runner: Pick<RunnerPort, 'opened'>,
+    private readonly wings: () => Pick<WingService, 'loadFor' | 'open'>,
     private readonly autosave: Autosave,
     private readonly messages: MessageService,
   ) {}
@@ -35,15 +38,17 @@ export class Desk {
   /** @throws LissomError  whatever is wrong with it; then nothing has changed */
   async open({ recipe, title, imported, link, own = false }: Opening): Promise<void> {
     const selection = openingSelection(recipe);
-    const first = selection.step || Object.keys(recipe.models)[0];
-    const input = first === undefined ? null : await this.runner.input(recipe, first);
+    const step = stepById(recipe, selection.step);
+    const first = step ? referencesOf(step)[0]?.name : Object.keys(recipe.models)[0];
+    const input = first === undefined ? null : await this.runner.opened(recipe, first);
+    await this.wings().loadFor(recipe, selection.step);
     if (await this.autosave.setAside()) this.messages.toast('info', t('toast.kept'));
     this.autosave.begin({ own, link });
     this.state.title.value = title;
     this.state.hint.value = null;
     this.state.importReport.value = null;
     this.document.replace(recipe, t('history.open', { name: title }), selection);
-    this.state.tool.value = TOOLS[this.state.workspace.value][0];
+    this.state.tool.value = this.wings().open.peek()?.wing.tools[0] ?? '';
     if (own) this.autosave.touch();
     if (!imported || !input) return;
     const findings = [...imported, ...input.opened.findings];

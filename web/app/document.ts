@@ -4,23 +4,22 @@
 import { batch } from '@preact/signals';
 import * as edit from '../recipe/edit';
 import { History, type HistoryEntry } from '../recipe/history';
-import type { DeformStep, Recipe } from '../recipe/recipe';
+import type { Recipe } from '../recipe/recipe';
 import type { DocumentService } from './api';
 import { t } from './i18n';
-import { NO_SIDES } from './merge/state';
 import type { Selection, Snapshot, State } from './state';
 
 export type Entry = HistoryEntry<Recipe, Selection>;
 
 export const EMPTY_RECIPE: Recipe = { lissom: 1, models: {}, steps: [], outputs: [] };
-const NOTHING: Selection = { step: '', handle: null };
+const NOTHING: Selection = { step: '', item: null };
 
 export const EMPTY: Snapshot = { recipe: EMPTY_RECIPE, selection: NOTHING };
 
-/** The last step, no handle: how a recipe opens. */
+/** The last step, nothing selected: how a recipe opens. */
 export const openingSelection = (recipe: Recipe): Selection => ({
   step: recipe.steps.at(-1)?.id ?? '',
-  handle: null,
+  item: null,
 });
 
 export class Document implements DocumentService {
@@ -40,16 +39,6 @@ export class Document implements DocumentService {
 
   get selection(): Selection {
     return this.#history.selection;
-  }
-
-  /** The committed open step while it is one that deforms. */
-  get step(): DeformStep | undefined {
-    return edit.deformStepById(this.recipe, this.selection.step);
-  }
-
-  /** The open step as drawn; reads signals. */
-  get shownStep(): DeformStep | undefined {
-    return this.state.step.value;
   }
 
   get isDirty(): boolean {
@@ -86,9 +75,9 @@ export class Document implements DocumentService {
     this.#history.preview(recipe, selection);
   }
 
-  /** @param merge  edits of one key in quick succession are one step of undo */
-  commit(label: string, recipe: Recipe, selection: Selection = this.selection, merge?: string): void {
-    this.#history.commit(label, recipe, selection, merge === undefined ? {} : { merge });
+  /** @param series  edits of one in quick succession are one step of undo */
+  commit(label: string, recipe: Recipe, selection: Selection = this.selection, series?: string): void {
+    this.#history.commit(label, recipe, selection, series === undefined ? {} : { series });
   }
 
   /** Commits what is previewed. */
@@ -113,11 +102,11 @@ export class Document implements DocumentService {
   }
 
   openStep(id: string): void {
-    this.#select({ step: id, handle: null });
+    this.#select({ step: id, item: null });
   }
 
-  select(handle: number | null): void {
-    this.#select({ step: this.selection.step, handle });
+  select(item: number | null): void {
+    this.#select({ step: this.selection.step, item });
   }
 
   removeStep(id: string): void {
@@ -133,11 +122,11 @@ export class Document implements DocumentService {
   }
 
   #select(selection: Selection): void {
-    const { step, handle } = this.selection;
-    if (step === selection.step && handle === selection.handle) return;
+    const { step, item } = this.selection;
+    if (step === selection.step && item === selection.item) return;
     // A selection would cut off what redo could still bring back, so until then it is only shown.
     if (this.#history.canRedo) this.#history.preview(this.recipe, selection);
-    else this.#history.commit(t('history.select'), this.recipe, selection, { merge: 'select' });
+    else this.#history.commit(t('history.select'), this.recipe, selection, { series: 'select' });
   }
 
   #lay(history: History<Recipe, Selection>): void {
@@ -149,8 +138,6 @@ export class Document implements DocumentService {
 
   #follow(history: History<Recipe, Selection>): void {
     this.#unsubscribe();
-    this.state.merge.held.value = null;
-    this.state.merge.opened.value = NO_SIDES;
     this.#history = history;
     this.#unsubscribe = history.subscribe(() => this.#publish());
     this.#publish();

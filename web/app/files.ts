@@ -3,20 +3,19 @@
 import { LissomError } from '../core/errors';
 import { type Model, withPositions } from '../core/model';
 import { readModel, writeModel, writeProject } from '../io/index';
-import type { StrandFormat } from '../io/strands/options';
 import { formatRecipe } from '../recipe/format';
 import type { ViewportPort } from '../view/types';
-import type { ExportChoice, ExportFormat, FileService, MergeService, MessageService } from './api';
+import type { ExportChoice, ExportFormat, FileService, MessageService, WingService } from './api';
 import type { Desk } from './desk';
 import type { Document } from './document';
-import type { Evaluation, Evaluator } from './evaluation';
+import type { Evaluation, EvaluatorPort } from './evaluated';
 import type { FileDialogs, SaveOptions } from './file-dialogs';
-import { STRAND_MIME, strandChoices, strandsFile } from './hair/export';
 import { t } from './i18n';
 import type { ModelStore } from './model-store';
 import { EXTENSIONS, FileOpener } from './open-files';
 import { pictureOf } from './picture';
 import type { State } from './state';
+import type { ExportGroup } from './wing';
 
 const MIME: Readonly<Record<ExportFormat, string>> = {
   obj: 'model/obj',
@@ -34,11 +33,11 @@ export interface FileParts {
   readonly document: Document;
   readonly models: ModelStore;
   readonly desk: Desk;
-  readonly evaluator: Pick<Evaluator, 'result' | 'settled'>;
+  readonly evaluator: EvaluatorPort;
   readonly viewport: ViewportPort | null;
   readonly messages: MessageService;
   readonly dialogs: FileDialogs;
-  readonly merge: Pick<MergeService, 'choosePart'>;
+  readonly wings: () => Pick<WingService, 'load' | 'open'>;
 }
 
 export class Files implements FileService {
@@ -50,8 +49,6 @@ export class Files implements FileService {
     label: t(`export.${format}`),
     keeps: t(`export.${format}.keeps`),
   }));
-
-  readonly strandChoices = strandChoices();
 
   readonly #opener: FileOpener;
 
@@ -113,16 +110,22 @@ export class Files implements FileService {
   exportModel(format: ExportFormat): Promise<void> {
     const kind = { extension: `.${format}`, description: t(`export.${format}`), mimeType: MIME[format] };
     return this.#write(kind, (shown) => {
-      const model = withPositions(shown.input.model, shown.positions);
+      const model = withPositions(shown.shown.model, shown.positions);
       const bytes = writeModel(model, format);
       return { bytes, said: (name) => exported(name, model, bytes) };
     });
   }
 
-  exportStrands(format: StrandFormat, guidesOnly: boolean): Promise<void> {
-    const description = t(`export.strands.${format}`);
-    const kind = { extension: `.${format}`, description, mimeType: STRAND_MIME[format] };
-    return this.#write(kind, (shown) => ({ bytes: strandsFile(shown, this.#title, format, guidesOnly) }));
+  exportGroup(): ExportGroup | undefined {
+    return this.parts.wings().open.value?.wing.exports;
+  }
+
+  async exportOf(group: ExportGroup, format: string, option: boolean): Promise<void> {
+    const choice = group.choices.find((each) => each.format === format);
+    if (!choice) return;
+    const { label: description, mimeType } = choice;
+    const kind = { extension: `.${format}`, description, mimeType };
+    await this.#write(kind, (shown) => ({ bytes: group.write(shown, this.#title, format, option) }));
   }
 
   async screenshot(): Promise<void> {
@@ -132,7 +135,7 @@ export class Files implements FileService {
     const kind = { extension: '.png', description: t('file.picture'), mimeType: 'image/png' };
     const cancel = () => stop.abort();
     await this.#write(kind, async () => {
-      const recipe = state.hair.viewed.peek() ? null : document.recipe;
+      const recipe = state.viewing.peek() ? null : document.recipe;
       const { width, height } = pictureSize(viewport.size);
       const onProgress = (fraction: number) => {
         state.busy.value = { label: t('busy.picture'), fraction, cancel };

@@ -2,12 +2,10 @@
 
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { LissomError } from '../core/errors';
-import { newDeformStep } from '../recipe/edit';
 import { parseRecipe } from '../recipe/parse';
-import type { Recipe } from '../recipe/recipe';
+import type { Recipe, WorkspaceId } from '../recipe/recipe';
 import type { GalleryEntry, GalleryService } from './api';
 import { t } from './i18n';
-import type { WorkspaceId } from './state';
 
 interface Index {
   readonly models: readonly {
@@ -23,18 +21,10 @@ interface Index {
     readonly file: string;
     readonly title: string;
     readonly model: string;
-    /** Where it is worked on; hair where left out and its model is a head, else deform. */
-    readonly workspace?: WorkspaceId;
+    /** Where it is worked on. */
+    readonly workspace: WorkspaceId;
   }[];
 }
-
-/** A new recipe on a built-in model: one step, nothing held yet. */
-export const recipeOn = (builtin: string): Recipe => ({
-  lissom: 1,
-  models: { [builtin]: { builtin } },
-  steps: [newDeformStep('deform 1', builtin)],
-  outputs: [],
-});
 
 export class Gallery implements GalleryService {
   readonly #entries = signal<readonly GalleryEntry[]>([]);
@@ -48,7 +38,7 @@ export class Gallery implements GalleryService {
   constructor(
     private readonly base: string,
     private readonly show: (recipe: Recipe, title: string) => Promise<void>,
-    private readonly bare: (entry: GalleryEntry) => Recipe = ({ name }) => recipeOn(name),
+    private readonly bare: (entry: GalleryEntry) => Promise<Recipe>,
   ) {}
 
   get entries(): ReadonlySignal<readonly GalleryEntry[]> {
@@ -59,9 +49,8 @@ export class Gallery implements GalleryService {
   async start(): Promise<void> {
     const { models, examples } = await this.#list();
     const thumbnail = (name: string) => `${this.base}thumbnails/${name}.webp`;
-    const finished = examples.map(({ name, title, file, model, ...example }) => {
+    const finished = examples.map(({ name, title, file, model, workspace }) => {
       const { licence = '', vertices = 0, scalp = false } = models.find((each) => each.name === model) ?? {};
-      const workspace = example.workspace ?? (scalp ? 'hair' : 'deform');
       return { name, title, licence, vertices, scalp, workspace, thumbnail: thumbnail(name), recipe: file };
     });
     const bare = models.map(({ name, title, licence, vertices, scalp = false }) => ({
@@ -76,7 +65,8 @@ export class Gallery implements GalleryService {
   }
 
   async open(entry: GalleryEntry): Promise<void> {
-    await this.show(entry.recipe ? await this.recipe(entry.recipe) : this.bare(entry), entry.title);
+    const recipe = entry.recipe ? await this.recipe(entry.recipe) : await this.bare(entry);
+    await this.show(recipe, entry.title);
   }
 
   async recipe(file: string): Promise<Recipe> {

@@ -1,22 +1,42 @@
-// All words the user sees are in locales/en*.json, under typed keys. `{name}` in a message is filled from `params`.
+// All words the user sees are in locales/en/*.json, under typed keys. `{name}` in a message is filled from `params`.
+// A wing's own words come with the wing (`addWords`); until then there is nothing on screen that needs them.
 
-import words from './locales/en.json';
-import ui from './locales/en.ui.json';
+import app from './locales/en/app.json';
+import type deform from './locales/en/deform.json';
+import type hair from './locales/en/hair.json';
+import type merge from './locales/en/merge.json';
+import ui from './locales/en/ui.json';
+import wings from './locales/en/wings.json';
 
-const en = { ...words, ...ui };
+/** One name per wing: the registry of words. */
+type WingWords = typeof deform & typeof hair & typeof merge;
+type Words = typeof app & typeof ui & WingWords;
+type WingId = keyof typeof wings;
 
-export type MessageKey = keyof typeof en;
+/** What a wing is called before it is loaded: on its button, among the commands, over its examples in the gallery. */
+const names = Object.fromEntries(
+  Object.entries(wings).flatMap(([id, words]) =>
+    Object.entries(words).map(([part, name]) => [`wing.${id}.${part}`, name]),
+  ),
+);
+const en: Record<string, string> = { ...app, ...ui, ...names };
+
+export type MessageKey = keyof Words | `wing.${WingId}.${keyof (typeof wings)[WingId]}`;
 export type Params = Readonly<Record<string, string | number>>;
+
+export function addWords(words: Readonly<Record<string, string>>): void {
+  Object.assign(en, words);
+}
 
 /** The message under `key`, its `{placeholders}` filled in; numbers in the reader's own notation. */
 export function t(key: MessageKey, params: Params = {}): string {
-  return fill(en[key], params);
+  return fill(en[key] ?? key, params);
 }
 
 /** The message under `prefix` + `code`, or under `fallback` for a code that has no message of its own. */
 export function tCode(prefix: string, code: string, fallback: MessageKey, params: Params = {}): string {
-  const key = `${prefix}${code}`;
-  return Object.hasOwn(en, key) ? fill(en[key as MessageKey], params) : t(fallback, { code, ...params });
+  const message = Object.hasOwn(en, prefix + code) ? en[prefix + code] : undefined;
+  return message === undefined ? t(fallback, { code, ...params }) : fill(message, params);
 }
 
 const NUMBER = new Intl.NumberFormat('en-US', { maximumSignificantDigits: 6 });

@@ -22,6 +22,8 @@ interface Read {
   readonly notes: readonly ImportNote[];
 }
 
+type OpenedMesh = Read & Pick<OpenedFile, 'file'>;
+
 export class ModelStore implements ModelSource {
   readonly #files = new Map<string, OpenedFile>();
   readonly #read = new Map<string, Promise<Read>>();
@@ -40,6 +42,20 @@ export class ModelStore implements ModelSource {
       this.#files.set(file, opened);
       return opened;
     }
+  }
+
+  /**
+   * Keeps a mesh file together with what was read of it, so that nobody reads it again.
+   *
+   * @throws what its reader throws; nothing is kept then
+   */
+  async open(name: string, bytes: Uint8Array, read: Read = readModel(bytes, name)): Promise<OpenedMesh> {
+    const { file } = await this.add(name, bytes);
+    const key = `file:${file}`;
+    const { model, notes } = read;
+    if (!this.#read.has(key))
+      this.#read.set(key, Promise.resolve(file === name ? read : { model: { ...model, name: file }, notes }));
+    return { file, ...(await this.read({ file })) };
   }
 
   /** Puts a file back under the name a stored recipe has for it. */

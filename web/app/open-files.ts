@@ -1,26 +1,22 @@
-// Opening what a file holds: a mesh, a project archive, a recipe, a picture with its recipe inside, strands to look
-// at. A document is replaced only once what was opened has proved usable, so a bad file costs nothing.
+// Opening what a file holds: a mesh, a project archive, a recipe, a picture with its recipe inside, or something that
+// a wing knows to look at. A document is replaced only once what was opened has proved usable, so a bad file costs nothing.
 
-import { LissomError } from '../core/errors';
-import type { Groom } from '../core/strands';
-import { readModel, readProject, readStrands } from '../io/index';
+import { readModel, readProject } from '../io/index';
+import { LOOSE_ENDINGS, looseKind } from '../io/loose';
 import { isPng } from '../io/png-text';
-import { isHair } from '../io/strands/hair';
-import { hasObjLines } from '../io/strands/obj-lines';
-import { newDeformStep, uniqueName } from '../recipe/edit';
+import type { ReadResult } from '../io/reading';
 import { isReserved, parseRecipe } from '../recipe/parse';
 import type { Recipe } from '../recipe/recipe';
-import type { MergeService, MessageService } from './api';
+import type { MessageService, WingService } from './api';
 import type { Desk } from './desk';
-import type { Evaluator } from './evaluation';
-import { viewed } from './hair/viewed';
 import { t } from './i18n';
 import type { ModelStore } from './model-store';
 import { recipeOf } from './picture';
 import type { State } from './state';
+import { wingFor } from './wings';
 
 const MESHES = ['.obj', '.ply', '.stl', '.glb', '.gltf', '.off'];
-export const EXTENSIONS = [...MESHES, '.hair', '.zip', '.json', '.png'];
+export const EXTENSIONS = [...MESHES, ...LOOSE_ENDINGS, '.zip', '.json', '.png'];
 
 export interface ReadFile {
   readonly name: string;
@@ -29,11 +25,10 @@ export interface ReadFile {
 
 interface Parts {
   readonly state: State;
-  readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly models: Pick<ModelStore, 'add' | 'read'>;
+  readonly models: Pick<ModelStore, 'add' | 'open'>;
   readonly desk: Pick<Desk, 'open'>;
   readonly messages: MessageService;
-  readonly merge: Pick<MergeService, 'choosePart'>;
+  readonly wings: () => Pick<WingService, 'load'>;
 }
 
 export class FileOpener {
@@ -56,62 +51,29 @@ export class FileOpener {
         files.filter((file) => file !== picture),
         stem(picture.name),
       );
-    const mesh = files.find(({ name }) => hasEnding(name, [...MESHES, '.hair'])) ?? files[0]!;
+    const mesh = files.find(({ name }) => hasEnding(name, [...MESHES, ...LOOSE_ENDINGS])) ?? files[0]!;
     if (files.length > 1) this.parts.messages.toast('info', t('error.several-files', { name: mesh.name }));
-    if (isHair(mesh.bytes) || hasEnding(mesh.name, ['.hair'])) this.#view(readStrands(mesh.bytes, mesh.name));
-    else if (hasEnding(mesh.name, ['.obj']) && hasObjLines(mesh.bytes)) await this.#openLines(mesh);
-    else await this.#openMesh(mesh);
+    const loose = looseKind(mesh.bytes, mesh.name);
+    const wing = loose && wingFor(loose.kind);
+    if (!loose || !wing) return this.#openMesh(mesh);
+    const read = loose.only ? undefined : readModel(mesh.bytes, mesh.name);
+    const openModel = () => this.#openMesh(mesh, read);
+    const { name, bytes } = mesh;
+    await (await this.parts.wings().load(wing)).take?.({ name, bytes, model: read?.model, openModel });
   }
 
-  /** An OBJ with lines: hair alone, hair with its head, or a model with a few loose edges. */
-  async #openLines(file: ReadFile): Promise<void> {
-    const { messages, state } = this.parts;
-    const { name } = file;
-    const groom = strandsIn(file);
-    if (!groom) return this.#openMesh(file);
-    const again = (act: () => void | Promise<void>) => async () => {
-      try {
-        await act();
-      } catch (error) {
-        messages.failed(error);
-      }
-    };
-    if (!groom.head) return this.#view(groom);
-    if (state.workspace.peek() === 'hair') {
-      this.#view(groom);
-      const run = again(() => this.#openMesh(file));
-      messages.toast('info', t('toast.lines-seen', { name }), { label: t('toast.open-model'), run });
-      return;
-    }
-    await this.#openMesh(file);
-    const run = again(() => this.#view(groom));
-    messages.toast('info', t('toast.lines', { name }), { label: t('toast.see-lines'), run });
-  }
-
-  #view(groom: Groom): void {
-    const { state, evaluator } = this.parts;
-    state.dialog.value = null;
-    state.hair.viewed.value = viewed(groom, evaluator.result.peek());
-  }
-
-  async #openMesh({ name, bytes }: ReadFile): Promise<void> {
-    const { models, desk, merge, state } = this.parts;
-    // Before it is kept under a name: a file that cannot be read leaves no trace.
-    readModel(bytes, name);
-    const { file } = await models.add(name, bytes);
-    const { notes } = await models.read({ file });
+  /** @param read  what was read of it, if that is known already */
+  async #openMesh({ name, bytes }: ReadFile, read?: ReadResult): Promise<void> {
+    const { models, desk, wings, state } = this.parts;
+    const { file, notes } = await models.open(name, bytes, read);
     const model = modelName(name);
-    if (state.choosing.peek()) {
-      merge.choosePart(model, { file });
+    const choice = state.choosing.peek();
+    if (choice) {
+      choice.choose(model, { file });
       return;
     }
-    const id = uniqueName('deform 1', [model]);
-    const recipe: Recipe = {
-      lissom: 1,
-      models: { [model]: { file } },
-      steps: [newDeformStep(id, model)],
-      outputs: [],
-    };
+    const home = await wings().load(state.home);
+    const recipe = home.opening!({ name: model, ref: { file } })!;
     await desk.open({ recipe, title: model, imported: notes, own: true });
   }
 
@@ -139,16 +101,6 @@ export class FileOpener {
       ]),
     );
     await this.parts.desk.open({ recipe: { ...recipe, models }, title, own: true });
-  }
-}
-
-/** @returns `null` where the lines are no strands: a model may have lines that are of no use here */
-function strandsIn({ name, bytes }: ReadFile): Groom | null {
-  try {
-    return readStrands(bytes, name);
-  } catch (error) {
-    if (error instanceof LissomError && error.fault === 'input') return null;
-    throw error;
   }
 }
 

@@ -1,27 +1,15 @@
 // What the app knows, as signals: components read them, the app's services write them. No behaviour here.
-// Actions are in api.ts (`app.deform`, `app.files` …) and, for everything with a name, in commands.ts.
+// Actions are in api.ts (`app.files`, `app.document` …) and, for everything with a name, in commands.ts. What one wing
+// knows beside this is in its own folder.
 
 import { computed, type ReadonlySignal, type Signal, signal } from '@preact/signals';
 import type { Finding } from '../core/errors';
 import type { Model } from '../core/model';
-import { deformStepById } from '../recipe/edit';
-import type { DeformStep, HairStep, MergeStep, Recipe } from '../recipe/recipe';
-import type { DisplayOptions, GizmoMode } from '../view/types';
-import { HairState } from './hair/state';
-import { hairStepById } from './hair/steps';
+import { stepById } from '../recipe/edit';
+import { type ModelRef, type Recipe, type Step, type WorkspaceId, workspaceOf } from '../recipe/recipe';
+import type { DisplayOptions, ViewportPort } from '../view/types';
 import type { MessageKey } from './i18n';
-import { MergeState } from './merge/state';
-import { mergeStepById } from './merge/steps';
 
-export type WorkspaceId = 'deform' | 'hair' | 'merge';
-
-/** The tools of each workspace; the first is the one that Escape leads back to. */
-export const TOOLS = {
-  deform: ['select', 'paint-roi', 'paint-handle', 'point-handle'],
-  hair: ['hair-select', 'stream', 'hint', 'parting', 'ponytail', 'paint-scalp', 'paint-length'],
-  merge: ['merge-pins', 'mark-region', 'mark-feature'],
-} as const satisfies Readonly<Record<WorkspaceId, readonly string[]>>;
-export type ToolId = (typeof TOOLS)[WorkspaceId][number];
 export type DialogId =
   | 'gallery'
   | 'export'
@@ -32,18 +20,39 @@ export type DialogId =
   | 'palette'
   | 'restore';
 
-/** Which step is open and which of its handles is selected. Part of the undo history. */
+/** Which step is open and which of its items is selected. Part of the undo history. */
 export interface Selection {
   /** Id of the open step; `''` while the recipe has none. */
   readonly step: string;
-  /** Index into the open step's handles; in a hair step into its streams, partings and ponytails, in this order; in a merge step its pin. */
-  readonly handle: number | null;
+  /** Number of an item of the open step, as its wing counts them: a handle, a curve, a pin. */
+  readonly item: number | null;
 }
 
 /** One state of the document: what undo goes back to. */
 export interface Snapshot {
   readonly recipe: Recipe;
   readonly selection: Selection;
+}
+
+/** A model is being chosen for a step that begins with it, for as long as the recipe stays this one. */
+export interface ModelChoice {
+  readonly recipe: Recipe;
+  /** Where the step belongs. */
+  readonly workspace: WorkspaceId;
+  /** What a file that is dropped now becomes. */
+  readonly drop: MessageKey;
+  choose(name: string, ref: ModelRef): void;
+}
+
+/** A file looked at in place of the document, which stays as it is. */
+export interface Viewing {
+  /** What is on screen, as a sentence. */
+  readonly said: string;
+  readonly back: string;
+  /** The status bar's sentence. @param key  the shortcut of a command as it is shown */
+  status(key: (command: string) => string): string;
+  /** @returns the function that takes it off the screen */
+  mount(viewport: ViewportPort): () => void;
 }
 
 /** Work long enough to be shown: a label, how far it is, a way out. */
@@ -71,19 +80,6 @@ export interface Figures {
   /** One live step of the last drag, from request to picture. */
   readonly drag: number | null;
   readonly fps: number;
-}
-
-/** What the open step did to its model. */
-export interface WhatItDid {
-  /** 1 = unchanged; of no meaning for an open surface (see `closed`). */
-  readonly volumeRatio: number;
-  readonly closed: boolean;
-  /** l/l₀ − 1 of the edge whose length changed most: above 0 stretched, below squeezed. */
-  readonly worstStretch: number;
-  readonly edgeRms: number;
-  readonly flippedTriangles: number;
-  readonly handlesMet: number;
-  readonly handles: number;
 }
 
 /** The model the open step starts from, as shown in the Model panel. */
@@ -132,35 +128,26 @@ export class State {
 
   readonly recipe: ReadonlySignal<Recipe> = computed(() => this.shown.value.recipe);
   readonly selection: ReadonlySignal<Selection> = computed(() => this.shown.value.selection);
-  /** The open step while it is one that deforms. */
-  readonly step: ReadonlySignal<DeformStep | undefined> = computed(() =>
-    deformStepById(this.recipe.value, this.selection.value.step),
-  );
-
-  /** The open step while it is one that grows hair. */
-  readonly hairStep: ReadonlySignal<HairStep | undefined> = computed(() =>
-    hairStepById(this.recipe.value, this.selection.value.step),
-  );
-
-  /** The open step while it is one that merges. */
-  readonly mergeStep: ReadonlySignal<MergeStep | undefined> = computed(() =>
-    mergeStepById(this.recipe.value, this.selection.value.step),
+  /** The open step. */
+  readonly step: ReadonlySignal<Step | undefined> = computed(() =>
+    stepById(this.recipe.value, this.selection.value.step),
   );
 
   // The workspace
-  readonly hair = new HairState();
-  readonly merge = new MergeState(this.mergeStep);
-  /** Whether a part to add is being chosen: the merge step begins with it. */
-  readonly choosing: ReadonlySignal<boolean> = computed(
-    () => this.merge.choosing.value?.recipe === this.recipe.value,
-  );
-  /** That of the open step, or of the one being started. */
-  readonly workspace: ReadonlySignal<WorkspaceId> = computed(() => {
-    if (this.choosing.value || this.mergeStep.value) return 'merge';
-    return this.hairStep.value ? 'hair' : 'deform';
+  /** A model that is asked for; see `choosing`. */
+  readonly choice = signal<ModelChoice | null>(null);
+  /** The same, while it holds: an edit of the recipe ends it. */
+  readonly choosing: ReadonlySignal<ModelChoice | null> = computed(() => {
+    const choice = this.choice.value;
+    return choice?.recipe === this.recipe.value ? choice : null;
   });
-  readonly tool = signal<ToolId>('select');
-  readonly gizmo = signal<GizmoMode>('translate');
+  /** That of the open step, or of the one being started. */
+  readonly workspace: ReadonlySignal<WorkspaceId> = computed(
+    () => this.choosing.value?.workspace ?? workspaceOf(this.step.value) ?? this.home,
+  );
+  readonly viewing = signal<Viewing | null>(null);
+  /** One of the open workspace's; `''` before there is any. */
+  readonly tool = signal('');
   /** Brush radius in CSS pixels. */
   readonly brushSize = signal(28);
   readonly brushMode = signal<BrushMode>('add');
@@ -172,9 +159,6 @@ export class State {
     grid: true,
     theme: 'dark',
   });
-  readonly heat = signal(false);
-  /** Range of the heat map's legend: mean edge stretch, l/l₀ − 1. */
-  readonly heatRange = signal<readonly [number, number]>([-0.5, 0.5]);
   /** One short line over the viewport until the first drag. */
   readonly hint = signal<MessageKey | null>(null);
 
@@ -191,9 +175,6 @@ export class State {
     drag: null,
     fps: 0,
   });
-  readonly whatItDid = signal<WhatItDid | null>(null);
-  /** Per source vertex: mean of l/l₀ − 1 over its edges, for the heat map. */
-  readonly stretch = signal<Float32Array | null>(null);
   /** Warnings of the open step (degenerate handles, components without a handle …). */
   readonly warnings = signal<readonly Finding[]>([]);
 
@@ -208,7 +189,11 @@ export class State {
   readonly updateReady = signal(false);
   readonly locale = signal('en');
 
-  constructor(first: Snapshot) {
+  /** @param home  the workspace of a document that says nothing else */
+  constructor(
+    first: Snapshot,
+    readonly home: WorkspaceId,
+  ) {
     this.shown = signal(first);
   }
 }

@@ -1,19 +1,28 @@
 // What autosave keeps in the browser: restore points, and by their hash the recipes and files they name.
 
 import { type DBSchema, type IDBPDatabase, openDB } from 'idb';
+import { t } from './i18n';
 import type { Selection } from './state';
+
+/** Documents of earlier versions say `handle` for any item. */
+export type StoredSelection = Selection | { readonly step: string; readonly handle: number | null };
+
+export const selectionOf = (stored: StoredSelection): Selection =>
+  'item' in stored ? stored : { step: stored.step, item: stored.handle };
 
 /** One state in a restore point's history. */
 export interface StoredEntry {
   /** Hash of the recipe's text. */
   readonly recipe: string;
-  readonly selection: Selection;
+  readonly selection: StoredSelection;
   readonly label: string;
   readonly time: number;
 }
 
 export interface StoredDocument {
   readonly id: string;
+  /** Counts the document's edits; 0 where it is missing. A journal entry with a higher one is newer. */
+  readonly revision?: number;
   readonly time: number;
   readonly title: string;
   readonly kind: 'auto' | 'kept';
@@ -30,9 +39,7 @@ export interface DocumentStore {
   documents(): Promise<readonly StoredDocument[]>;
   document(id: string): Promise<StoredDocument | undefined>;
   blob(hash: string): Promise<Uint8Array | undefined>;
-  /** Which of these are not kept yet. */
-  missing(hashes: Iterable<string>): Promise<readonly string[]>;
-  /** All or nothing. */
+  /** Adds those of the blobs that are not kept yet, and the document. All or nothing. */
   write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void>;
   /** Removes documents, and blobs that none of the others names. */
   remove(ids: readonly string[]): Promise<void>;
@@ -48,58 +55,105 @@ export const hashesOf = ({ entries, files }: StoredDocument): string[] => [
   ...files.map(({ hash }) => hash),
 ];
 
+/** A database that does not answer must not hold up the page, in milliseconds; large blobs take their time. */
+const PATIENCE = 5_000;
+const PATIENCE_FOR_BLOB = 60_000;
+const SLOWEST_BYTES_PER_MILLISECOND = 2_000;
+
+type Database = IDBPDatabase<Schema>;
+
 export class BrowserStore implements DocumentStore {
-  #database: Promise<IDBPDatabase<Schema>> | undefined;
+  #database: Promise<Database> | undefined;
 
-  async documents(): Promise<readonly StoredDocument[]> {
-    return (await this.#open()).getAll('documents');
+  documents(): Promise<readonly StoredDocument[]> {
+    return this.#ask((database) => database.getAll('documents'));
   }
 
-  async document(id: string): Promise<StoredDocument | undefined> {
-    return (await this.#open()).get('documents', id);
+  document(id: string): Promise<StoredDocument | undefined> {
+    return this.#ask((database) => database.get('documents', id));
   }
 
-  async blob(hash: string): Promise<Uint8Array | undefined> {
-    return (await this.#open()).get('blobs', hash);
+  blob(hash: string): Promise<Uint8Array | undefined> {
+    return this.#ask((database) => database.get('blobs', hash), PATIENCE_FOR_BLOB);
   }
 
-  async missing(hashes: Iterable<string>): Promise<readonly string[]> {
-    const blobs = (await this.#open()).transaction('blobs').store;
-    const wanted = [...new Set(hashes)];
-    const keys = await Promise.all(wanted.map((hash) => blobs.getKey(hash)));
-    return wanted.filter((_, i) => keys[i] === undefined);
+  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
+    const bytes = [...blobs.values()].reduce((sum, { byteLength }) => sum + byteLength, 0);
+    return this.#ask(
+      async (database) => {
+        // Looked for and written in one transaction: in between, another tab could remove what was found.
+        const transaction = database.transaction(['documents', 'blobs'], 'readwrite');
+        const kept = transaction.objectStore('blobs');
+        const puts = [...blobs].map(async ([hash, bytes]) => {
+          if ((await kept.getKey(hash)) === undefined) await kept.put(bytes, hash);
+        });
+        await Promise.all([...puts, transaction.objectStore('documents').put(document), transaction.done]);
+      },
+      PATIENCE + bytes / SLOWEST_BYTES_PER_MILLISECOND,
+    );
   }
 
-  async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
-    const transaction = (await this.#open()).transaction(['documents', 'blobs'], 'readwrite');
-    for (const [hash, bytes] of blobs) transaction.objectStore('blobs').put(bytes, hash);
-    transaction.objectStore('documents').put(document);
-    await transaction.done;
+  remove(ids: readonly string[]): Promise<void> {
+    return this.#ask(async (database) => {
+      const transaction = database.transaction(['documents', 'blobs'], 'readwrite');
+      const documents = transaction.objectStore('documents');
+      const blobs = transaction.objectStore('blobs');
+      const all = await documents.getAll();
+      const kept = new Set(all.filter(({ id }) => !ids.includes(id)).flatMap(hashesOf));
+      const gone = (await blobs.getAllKeys()).filter((hash) => !kept.has(hash));
+      const deleted = [...ids.map((id) => documents.delete(id)), ...gone.map((hash) => blobs.delete(hash))];
+      await Promise.all([...deleted, transaction.done]);
+    });
   }
 
-  async remove(ids: readonly string[]): Promise<void> {
-    const transaction = (await this.#open()).transaction(['documents', 'blobs'], 'readwrite');
-    const documents = transaction.objectStore('documents');
-    const blobs = transaction.objectStore('blobs');
-    const all = await documents.getAll();
-    const kept = new Set(all.filter(({ id }) => !ids.includes(id)).flatMap(hashesOf));
-    for (const id of ids) documents.delete(id);
-    for (const hash of await blobs.getAllKeys()) if (!kept.has(hash)) blobs.delete(hash);
-    await transaction.done;
+  /** Asks once more with a database opened anew where the open one turns out to be closed. */
+  async #ask<T>(work: (database: Database) => Promise<T>, patience = PATIENCE): Promise<T> {
+    const answered = async () => {
+      const opened = this.#open();
+      const database = await opened;
+      try {
+        return await work(database);
+      } catch (error) {
+        if (!isClosed(error)) throw error;
+        this.#forget(opened);
+        return work(await this.#open());
+      }
+    };
+    return within(patience, answered());
   }
 
-  #open(): Promise<IDBPDatabase<Schema>> {
-    this.#database ??= openDB<Schema>('lissom', 1, {
+  #open(): Promise<Database> {
+    if (this.#database) return this.#database;
+    const opened = openDB<Schema>('lissom', 1, {
       upgrade(database) {
         database.createObjectStore('documents', { keyPath: 'id' });
         database.createObjectStore('blobs');
       },
       // Another tab with a newer version must not wait for this one.
-      blocking: (_old, _new, event) => (event.target as IDBDatabase).close(),
-      terminated: () => {
-        this.#database = undefined;
+      blocking: (_old, _new, event) => {
+        (event.target as IDBDatabase).close();
+        this.#forget(opened);
       },
+      terminated: () => this.#forget(opened),
     });
-    return this.#database;
+    this.#database = opened;
+    opened.catch(() => this.#forget(opened));
+    return opened;
   }
+
+  /** The next question opens it again. */
+  #forget(opened: Promise<Database>): void {
+    if (this.#database === opened) this.#database = undefined;
+  }
+}
+
+const isClosed = (error: unknown): boolean =>
+  error instanceof DOMException && error.name === 'InvalidStateError';
+
+/** @throws once the patience is over; an answer that comes later is not waited for */
+function within<T>(patience: number, answer: Promise<T>): Promise<T> {
+  return new Promise((resolve, reject) => {
+    const late = setTimeout(() => reject(new Error(t('error.store-silent'))), patience);
+    answer.then(resolve, reject).finally(() => clearTimeout(late));
+  });
 }

@@ -1,31 +1,121 @@
-/** Which tab a stored document belongs to: one at a time, so that two tabs never write over each other. */
+// Which tab a stored document belongs to: one at a time, so that two tabs never write over each other.
+
 export interface Claims {
   /** @returns false while another tab has it */
   claim(id: string): Promise<boolean>;
   release(id: string): void;
+  /** @param listener  hears of a document that another tab turns out to have had before: it is not this tab's */
+  onLost(listener: (id: string) => void): void;
 }
 
+/** @param tab  a name that no other tab has */
+export function tabClaims(tab: string): Claims {
+  // Locks exist on https and localhost only.
+  return navigator.locks
+    ? new LockClaims(navigator.locks)
+    : new ChannelClaims(new BroadcastChannel(NAME), tab);
+}
+
+const NAME = 'lissom';
+
 /** Through Web Locks, which the browser gives up for a tab that is closed or crashes. */
-export class TabClaims implements Claims {
-  readonly #held = new Map<string, () => void>();
+export class LockClaims implements Claims {
+  /** Gives the lock back; the promise says when that is done. */
+  readonly #held = new Map<string, () => Promise<unknown>>();
+  readonly #releasing = new Map<string, Promise<unknown>>();
 
-  constructor(private readonly locks: LockManager | undefined) {}
+  constructor(private readonly locks: LockManager) {}
 
-  claim(id: string): Promise<boolean> {
-    const { locks } = this;
-    if (!locks || this.#held.has(id)) return Promise.resolve(true);
+  async claim(id: string): Promise<boolean> {
+    await this.#releasing.get(id);
+    if (this.#held.has(id)) return true;
     return new Promise((answer) => {
-      locks
-        .request(`lissom:${id}`, { ifAvailable: true }, (lock) => {
+      const over: Promise<unknown> = this.locks
+        .request(`${NAME}:${id}`, { ifAvailable: true }, (lock) => {
           answer(lock !== null);
-          return lock ? new Promise<void>((release) => this.#held.set(id, release)) : undefined;
+          if (!lock) return undefined;
+          return new Promise<void>((release) => {
+            this.#held.set(id, () => {
+              release();
+              return over;
+            });
+          });
         })
         .catch(() => answer(true));
     });
   }
 
   release(id: string): void {
-    this.#held.get(id)?.();
+    const release = this.#held.get(id);
+    if (!release) return;
     this.#held.delete(id);
+    const over = release().then(() => this.#releasing.delete(id));
+    this.#releasing.set(id, over);
+  }
+
+  /** The browser never gives a lock to two tabs. */
+  onLost(): void {}
+}
+
+type Message =
+  | { readonly ask: string; readonly from: string }
+  | { readonly mine: string; readonly to: string };
+
+/** How long the other tabs have to say that a document is theirs, in milliseconds. */
+export const ANSWER_TIME = 250;
+
+/**
+ * By asking the other tabs, where there are no locks. A tab too busy or too deep asleep to answer in time
+ * answers when it wakes: whoever asked hears of it through `onLost`.
+ */
+export class ChannelClaims implements Claims {
+  readonly #held = new Set<string>();
+  readonly #asking = new Map<string, (answer: boolean) => void>();
+  #lost: (id: string) => void = () => {};
+
+  /** @param tab  a name that no other tab has */
+  constructor(
+    private readonly channel: Pick<BroadcastChannel, 'postMessage' | 'onmessage'>,
+    private readonly tab: string,
+  ) {
+    channel.onmessage = ({ data }: MessageEvent<Message>) => this.#hear(data);
+  }
+
+  async claim(id: string): Promise<boolean> {
+    if (this.#held.has(id)) return true;
+    const isFree = await new Promise<boolean>((answer) => {
+      this.#asking.set(id, answer);
+      this.#say({ ask: id, from: this.tab });
+      setTimeout(() => answer(true), ANSWER_TIME);
+    });
+    this.#asking.delete(id);
+    if (isFree) this.#held.add(id);
+    return isFree;
+  }
+
+  release(id: string): void {
+    this.#held.delete(id);
+  }
+
+  onLost(listener: (id: string) => void): void {
+    this.#lost = listener;
+  }
+
+  #hear(message: Message): void {
+    if ('ask' in message) {
+      const { ask: id, from } = message;
+      const asking = this.#asking.get(id);
+      // Of two tabs that ask at the same time, the one whose name comes first has it.
+      if (this.#held.has(id) || (asking && this.tab < from)) this.#say({ mine: id, to: from });
+      else asking?.(false);
+    } else if (message.to === this.tab) {
+      const id = message.mine;
+      this.#asking.get(id)?.(false);
+      if (this.#held.delete(id)) this.#lost(id);
+    }
+  }
+
+  #say(message: Message): void {
+    this.channel.postMessage(message);
   }
 }

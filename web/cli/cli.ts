@@ -16,7 +16,8 @@ import { oneLine } from '../recipe/problem';
 import type { Recipe } from '../recipe/recipe';
 import { Runner } from '../run/evaluate';
 import { plan } from '../run/plan';
-import { PlacedError, type StepResult } from '../run/types';
+import { resultNamed, type StepResult } from '../run/results';
+import { PlacedError } from '../run/types';
 import { readable, writeAll } from './files';
 import { FolderModels } from './models';
 import { Progress } from './progress';
@@ -134,7 +135,7 @@ function outputsOf(
 ): Map<string, Uint8Array | string> {
   const files = new Map<string, Uint8Array | string>();
   for (const { step, file } of recipe.outputs) {
-    const { model, strands } = results.get(step)!;
+    const { model, strands } = resultNamed(recipe, results, step);
     const extension = extensionOf(file);
     const bytes = strands
       ? groomFile(step, strands, model, extension as StrandFormat)

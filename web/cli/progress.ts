@@ -1,5 +1,5 @@
 import type { Step } from '../recipe/recipe';
-import type { StepResult } from '../run/types';
+import type { StepResult } from '../run/results';
 import type { Stream } from './streams';
 
 /** One line per step, on a terminal only: how far it is while it runs, then what it took. */

@@ -1,10 +1,11 @@
 import type { Finding } from '../core/errors';
 import { faceCount, vertexCount } from '../core/model';
 import type { ImportNote } from '../io/notes';
-import { referencesOf } from '../recipe/cross-checks';
 import { formatJson } from '../recipe/format';
 import { RECIPE_VERSION, type Recipe } from '../recipe/recipe';
-import type { ModelResult, StepResult } from '../run/types';
+import { referencesOf } from '../recipe/references';
+import type { StepResult } from '../run/results';
+import type { ModelResult } from '../run/types';
 
 interface ModelReport {
   readonly vertices: number;

@@ -5,6 +5,9 @@ export type VertexSet =
   | readonly number[]
   | { readonly ranges: readonly (readonly [number, number])[] };
 
+/** A set of its own, as a recipe takes it. */
+export type OwnVertexSet = 'all' | number[] | { ranges: [number, number][] };
+
 /**
  * The indices of a set over `count` vertices, ascending and without repeats. What lies beyond them is left out: whether
  * a set fits its model is for `firstOutside` to say. Takes memory for `count` indices at most, whatever is written.
@@ -21,7 +24,7 @@ export function sizeOf(set: VertexSet, count: number): number {
 }
 
 /** The shortest recipe form of a set of indices (any order, repeats allowed) over `count` vertices. */
-export function fromIndices(indices: Iterable<number>, count: number): VertexSet {
+export function fromIndices(indices: Iterable<number>, count: number): OwnVertexSet {
   const sorted = unique([...indices]);
   if (sorted.length === count && count > 0) return 'all';
   const ranges: [number, number][] = [];

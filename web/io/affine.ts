@@ -1,7 +1,4 @@
-/** A 4×4 matrix with last row 0 0 0 1, column-major as glTF and three.js write it. */
-export type Affine = readonly number[];
-
-export const IDENTITY: Affine = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+import { type Affine, IDENTITY } from '../core/affine';
 
 /** a · b: first b, then a. */
 export function multiply(a: Affine, b: Affine): Affine {

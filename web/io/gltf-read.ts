@@ -1,6 +1,7 @@
+import type { Affine } from '../core/affine';
 import { LissomError } from '../core/errors';
 import type { FaceGroup, Model } from '../core/model';
-import { type Affine, determinant, transformPoints } from './affine';
+import { determinant, transformPoints } from './affine';
 import { Budget } from './budget';
 import { COMPONENTS, readAccessor, U8 } from './gltf-accessors';
 import { entry, type GltfDocument, openGlb, openGltf, refuseCompressed } from './gltf-document';

@@ -1,4 +1,5 @@
-import { type Affine, compose, IDENTITY, multiply } from './affine';
+import { type Affine, IDENTITY } from '../core/affine';
+import { compose, multiply } from './affine';
 import type { Budget } from './budget';
 import { readAccessor } from './gltf-accessors';
 import { entry, type GltfDocument, gltfDamaged } from './gltf-document';

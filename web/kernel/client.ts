@@ -1,15 +1,5 @@
 import { cancelled, LissomError } from '../core/errors';
-import type {
-  Args,
-  CallOptions,
-  DeformId,
-  HairId,
-  KernelPort,
-  MergeId,
-  Method,
-  ModelId,
-  Result,
-} from './contract';
+import type { Args, CallOptions, KernelId, KernelPort, Method, Result } from './contract';
 import { notLoaded, toError, workerRestarted } from './failures';
 import type { Failure, Reply, Request } from './messages';
 
@@ -177,13 +167,7 @@ export class KernelClient implements KernelPort {
 
   /** An answer that crossed its cancellation: nobody will release what it made, so we do. */
   #forget(result: Result<Method>): void {
-    const { model, deform, merge, hair } = (result ?? {}) as {
-      model?: ModelId;
-      deform?: DeformId;
-      merge?: MergeId;
-      hair?: HairId;
-    };
-    const id = deform ?? merge ?? hair ?? model;
+    const { id } = (result ?? {}) as { readonly id?: KernelId };
     if (id !== undefined) void this.call('release', { id }).catch(() => {});
   }
 }

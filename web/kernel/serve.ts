@@ -1,12 +1,15 @@
 import { cancelled } from '../core/errors';
-import type { Args, Method, Result } from './contract';
+import type { Args, Kernel, Method, Result } from './contract';
 import { failureOf } from './failures';
 import { breathe, Job } from './job';
 import type { Call, Port, Reply, Request } from './messages';
 
-export type Handlers = {
-  [M in Method]: (args: Args<M>, job: Job) => Result<M> | Promise<Result<M>>;
+/** What answers a part of the kernel's methods. */
+export type HandlersOf<Part> = {
+  [M in keyof Part & Method]: (args: Args<M>, job: Job) => Result<M> | Promise<Result<M>>;
 };
+
+export type Handlers = HandlersOf<Kernel>;
 
 /**
  * Answers the requests that arrive at `port`, once `load` has made the handlers of this worker's epoch.

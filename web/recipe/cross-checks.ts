@@ -1,57 +1,53 @@
 // What a schema cannot say: names that must be unique, references that must lead somewhere.
 
 import { pathText, recipeError } from './problem';
-import { outputExtensions, type Recipe, type Step, stepSchema } from './recipe';
-import { reference } from './schema-parts';
+import { type Recipe, type StepType, stepRow } from './recipe';
+import { namesOf, producedNames, producerOf, referencesOf } from './references';
 
-/** One place where a step names a model or an earlier step. */
-export interface Reference {
-  readonly path: readonly (string | number)[];
-  readonly name: string;
-}
+const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
+const STRAND_EXTENSIONS: readonly string[] = ['abc', 'usda', 'hair', 'glb', 'obj', 'ply'];
 
-/** The references of a step, found through its schema: fields declared as `reference` or as a list of them. */
-export function referencesOf(step: Step): readonly Reference[] {
-  const schema = stepSchema.options.find((option) => option.entries.type.literal === step.type);
-  const found: Reference[] = [];
-  for (const [field, held] of Object.entries(step)) {
-    const declared: unknown = schema?.entries[field as keyof typeof schema.entries];
-    if (declared === reference) found.push({ path: [field], name: held as string });
-    else if (isReferenceList(declared))
-      for (const [at, name] of (held as unknown as readonly string[]).entries())
-        found.push({ path: [field, at], name });
-  }
-  return found;
-}
+/** Formats that a step's output can be written in, by its file's extension. */
+export const outputExtensions = (type: StepType): readonly string[] =>
+  stepRow(type).writes === 'strands' ? STRAND_EXTENSIONS : MESH_EXTENSIONS;
 
 /** @throws LissomError `recipe-invalid` */
 export function crossCheck(recipe: Recipe): void {
   const known = new Set(Object.keys(recipe.models));
-  const ids = new Set<string>();
+  const made = new Set<string>();
+  const taken = new Set(known);
   for (const [at, step] of recipe.steps.entries()) {
     for (const { path, name } of referencesOf(step))
       if (!known.has(name))
         throw recipeError(pathText(['steps', at, ...path]), lost(name, recipe, at, known));
-    if (known.has(step.id)) {
-      const what = ids.has(step.id) ? 'an earlier step' : 'a model';
+    const double = [...namesOf(step)].find((name) => taken.has(name));
+    if (double !== undefined) {
+      const what = Object.hasOwn(recipe.models, double) ? 'a model' : 'an earlier step';
       throw recipeError(
         pathText(['steps', at, 'id']),
-        `${quoted(step.id)} is the name of ${what} too; choose another id.`,
+        `${quoted(double)} is the name of ${what} too; choose another id.`,
       );
     }
-    known.add(step.id);
-    ids.add(step.id);
+    for (const name of namesOf(step)) taken.add(name);
+    for (const name of producedNames(step)) {
+      known.add(name);
+      made.add(name);
+    }
   }
-  checkOutputs(recipe, ids);
+  checkOutputs(recipe, made);
 }
 
-function checkOutputs({ outputs, steps }: Recipe, ids: ReadonlySet<string>): void {
+function checkOutputs(recipe: Recipe, made: ReadonlySet<string>): void {
   const files = new Set<string>();
-  for (const [at, { step, file }] of outputs.entries()) {
+  for (const [at, { step: name, file }] of recipe.outputs.entries()) {
     const wrong = (field: string, message: string) => recipeError(pathText(['outputs', at, field]), message);
-    const made = steps.find(({ id }) => id === step);
-    if (!made) throw wrong('step', `there is no step ${quoted(step)}; the steps are ${listed(ids)}.`);
-    const known = outputExtensions(made.type);
+    const step = producerOf(recipe, name);
+    if (!step)
+      throw wrong(
+        'step',
+        several(name, recipe) ?? `there is no step ${quoted(name)}; the steps are ${listed(made)}.`,
+      );
+    const known = outputExtensions(step.type);
     if (!known.includes(extensionOf(file)))
       throw wrong(
         'file',
@@ -66,14 +62,19 @@ function checkOutputs({ outputs, steps }: Recipe, ids: ReadonlySet<string>): voi
 export const extensionOf = (file: string): string => /\.([^./\\]+)$/.exec(file)?.[1]?.toLowerCase() ?? '';
 
 function lost(name: string, recipe: Recipe, at: number, known: ReadonlySet<string>): string {
-  const later = recipe.steps.findIndex((step) => step.id === name);
+  const later = recipe.steps.findIndex((step) => namesOf(step).has(name));
   if (later === at) return `${quoted(name)} is the step itself; name a model or an earlier step.`;
   if (later > at) return `${quoted(name)} is a later step (steps[${later}]); move it before this one.`;
-  return `there is no model or earlier step ${quoted(name)}; there are ${listed(known)}.`;
+  return (
+    several(name, recipe) ?? `there is no model or earlier step ${quoted(name)}; there are ${listed(known)}.`
+  );
 }
 
-const isReferenceList = (schema: unknown): boolean =>
-  (schema as { readonly item?: unknown } | undefined)?.item === reference;
+/** What to say where a step is named that leaves several models. */
+function several(name: string, { steps }: Recipe): string | undefined {
+  const step = steps.find(({ id }) => id === name);
+  return step && `${quoted(name)} leaves several models; name one of ${listed(producedNames(step))}.`;
+}
 
 const quoted = (text: string): string => JSON.stringify(text);
-const listed = (names: ReadonlySet<string>): string => [...names].map(quoted).join(', ') || 'none';
+const listed = (names: Iterable<string>): string => [...names].map(quoted).join(', ') || 'none';

@@ -24,7 +24,7 @@ export function formatJson(value: unknown, indent = ''): string {
   return `[\n${inner}${items.join(`,\n${inner}`)}\n${indent}]`;
 }
 
-function inline(value: unknown): string {
+export function inline(value: unknown): string {
   if (Array.isArray(value)) return `[${value.map(inline).join(', ')}]`;
   if (value !== null && typeof value === 'object') {
     const fields = fieldsOf(value).map(([key, held]) => `${JSON.stringify(key)}: ${inline(held)}`);

@@ -13,10 +13,10 @@ export interface HistoryEntry<D, S> {
 
 export interface CommitOptions {
   /** Edits of one key in quick succession (typing a number) are one entry. */
-  readonly merge?: string;
+  readonly series?: string;
 }
 
-/** Edits of one `merge` key further apart than this stay apart. */
+/** Edits of one `series` further apart than this stay apart. */
 const MERGE_MILLISECONDS = 1500;
 
 /**
@@ -28,7 +28,7 @@ export class History<D, S> {
   #index = 0;
   #preview: { readonly document: D; readonly selection: S } | undefined;
   #gesture: string | undefined;
-  #mergeKey: string | undefined;
+  #series: string | undefined;
   #saved: D;
   readonly #listeners = new Set<() => void>();
 
@@ -128,10 +128,10 @@ export class History<D, S> {
     const { current } = this;
     if (document !== current.document || selection !== current.selection) {
       const entry = { document, selection, label, time: this.now() };
-      const merged = this.#merges(entry, options.merge);
+      const merged = this.#continues(entry, options.series);
       this.#entries = [...this.#entries.slice(0, this.#index + (merged ? 0 : 1)), entry];
       this.#index = this.#entries.length - 1;
-      this.#mergeKey = options.merge;
+      this.#series = options.series;
     }
     this.#changed();
   }
@@ -149,14 +149,14 @@ export class History<D, S> {
     this.#index = Math.min(Math.max(index, 0), this.#entries.length - 1);
     this.#preview = undefined;
     this.#gesture = undefined;
-    this.#mergeKey = undefined;
+    this.#series = undefined;
     this.#changed();
   }
 
   /** @param document  what was written; edits may have been made while it was */
   markSaved(document: D = this.document): void {
     this.#saved = document;
-    this.#mergeKey = undefined;
+    this.#series = undefined;
     this.#changed();
   }
 
@@ -166,9 +166,9 @@ export class History<D, S> {
     return () => this.#listeners.delete(listener);
   }
 
-  #merges(entry: HistoryEntry<D, S>, key: string | undefined): boolean {
+  #continues(entry: HistoryEntry<D, S>, key: string | undefined): boolean {
     const quick = entry.time - this.current.time <= MERGE_MILLISECONDS;
-    return key !== undefined && key === this.#mergeKey && quick && !this.canRedo && this.canUndo;
+    return key !== undefined && key === this.#series && quick && !this.canRedo && this.canUndo;
   }
 
   #changed(): void {

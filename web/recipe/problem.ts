@@ -2,11 +2,11 @@
 
 import type * as v from 'valibot';
 import { LissomError } from '../core/errors';
-import { stepSchema } from './recipe';
+import { STEP_TYPES, type StepType, stepRow } from './recipe';
 
 type Issue = v.BaseIssue<unknown>;
 
-const KNOWN_TYPES = stepSchema.options.map((option) => option.entries.type.literal);
+const KNOWN_TYPES = Object.keys(STEP_TYPES);
 
 /** An error about one place of a recipe. */
 export const recipeError = (path: string, message: string, code = 'recipe-invalid'): LissomError =>
@@ -63,9 +63,8 @@ const pathOf = (issue: Issue): string =>
 /** The fields of the object an unknown one was found in, where the schema can be followed to it. */
 function knownFields(issue: Issue): string | undefined {
   const parent = issue.path?.at(-1)?.input as { readonly type?: unknown } | undefined;
-  const step =
-    issue.path?.length === 3 && stepSchema.options.find((o) => o.entries.type.literal === parent?.type);
-  return step ? Object.keys(step.entries).join(', ') : undefined;
+  if (issue.path?.length !== 3 || !KNOWN_TYPES.includes(String(parent?.type))) return undefined;
+  return Object.keys(stepRow(parent?.type as StepType).schema.entries).join(', ');
 }
 
 function shown(value: unknown): string {

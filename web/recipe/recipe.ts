@@ -4,6 +4,7 @@
 import * as v from 'valibot';
 import { MAX_STEPS } from './limits';
 import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
+import { type StepRow, stepType } from './step-row';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
 import { mergeStep } from './steps/merge';
@@ -11,12 +12,12 @@ import { mergeStep } from './steps/merge';
 /** The version that is written. `migrations` knows how to read the earlier ones. */
 export const RECIPE_VERSION = 1;
 
-const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
-const STRAND_EXTENSIONS: readonly string[] = ['abc', 'usda', 'hair', 'glb', 'obj', 'ply'];
-
-/** Formats that a step's output can be written in, by its file's extension. */
-export const outputExtensions = (type: Step['type']): readonly string[] =>
-  type === 'hair' ? STRAND_EXTENSIONS : MESH_EXTENSIONS;
+/** One row per step type: the registry of this floor. The schema file lists them in this order. */
+export const STEP_TYPES = {
+  deform: stepType(deformStep, { main: 'model', writes: 'mesh', workspace: 'deform' }),
+  merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
+  hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
+};
 
 /** Names of models: short, printable, usable as a file stem. */
 const name = v.pipe(
@@ -41,8 +42,10 @@ const output = v.strictObject({
   ),
 });
 
-/** One line per step type: the registry of this floor. */
-export const stepSchema = v.variant('type', [deformStep, mergeStep, hairStep]);
+const stepSchema = v.variant(
+  'type',
+  Object.values(STEP_TYPES).map(({ schema }) => schema),
+);
 
 export const recipeSchema = v.strictObject({
   lissom: v.literal(RECIPE_VERSION),
@@ -53,8 +56,19 @@ export const recipeSchema = v.strictObject({
 
 export type Recipe = v.InferOutput<typeof recipeSchema>;
 export type Step = v.InferOutput<typeof stepSchema>;
-export type StepType = Step['type'];
+export type StepType = keyof typeof STEP_TYPES;
+/** Where steps are worked on: what the table names. */
+export type WorkspaceId = Exclude<(typeof STEP_TYPES)[StepType]['workspace'], null>;
+export type StepOf<T extends StepType> = Extract<Step, { readonly type: T }>;
 export type ModelRef = v.InferOutput<typeof modelRef>;
 export type { DeformHandle, DeformStep } from './steps/deform';
 export type { HairStep } from './steps/hair';
 export type { MergeStep } from './steps/merge';
+
+export const stepRow = (
+  type: StepType,
+): Omit<StepRow<Step>, 'workspace'> & { readonly workspace: WorkspaceId | null } => STEP_TYPES[type];
+
+/** Where a step is worked on; `null`: nowhere of its own. */
+export const workspaceOf = (step: Step | undefined): WorkspaceId | null =>
+  step ? stepRow(step.type).workspace : null;

@@ -3,19 +3,18 @@
 import { cancelled, LissomError } from '../core/errors';
 import { hashValue } from '../core/hash';
 import { Lru } from '../core/lru';
-import { faceCount, type Model, vertexCount } from '../core/model';
-import type { KernelPort, Measured, RegionMaps } from '../kernel/contract';
-import { referencesOf } from '../recipe/cross-checks';
-import { stepById } from '../recipe/edit';
+import { type Model, vertexCount } from '../core/model';
+import type { KernelPort } from '../kernel/contract';
+import type { Measured } from '../kernel/contract/model';
 import { pathText } from '../recipe/problem';
-import type { MergeStep, Recipe, Step } from '../recipe/recipe';
+import type { Recipe, Step } from '../recipe/recipe';
+import { outputName, producedNames, referencesOf } from '../recipe/references';
 import { modelPlace, type Plan, plan, stepPlace } from './plan';
+import { mainOf, resultOf, type StepResult } from './results';
 import { KernelSession } from './session';
-import { runnerOf } from './steps/all';
-import { type HairField, hairField } from './steps/hair';
-import { paintedRegions } from './steps/merge';
+import { type Answer, capacities, type Question, type QuestionArgs, runnerOf } from './steps/all';
 import type { InputShape, StepOutcome } from './steps/step-runner';
-import { type ModelResult, type ModelSource, placed, type StepResult } from './types';
+import { type ModelResult, type ModelSource, placed } from './types';
 
 export interface RunOptions {
   /** Id of the last step wanted; only what it depends on is run. All steps when left out. */
@@ -23,11 +22,13 @@ export interface RunOptions {
   readonly signal?: AbortSignal;
   /** @param fraction  of all steps, in [0, 1]; @param step  the one under way */
   readonly onProgress?: (fraction: number, step: Step) => void;
-  /** False: quick previews will do (the first solve of a deform step). */
+  /** False: quick previews will do. */
   readonly settle?: boolean;
-  /** Also measure what the last step did to its input. */
+  /** Also measure what the last step did to the model that it changes. */
   readonly measure?: boolean;
 }
+
+export type AskOptions = Pick<RunOptions, 'signal'>;
 
 /** Bytes of positions and strands that cached results may hold. */
 const RESULT_BYTES = 256 * 1024 * 1024;
@@ -55,7 +56,7 @@ export class Runner {
 
   constructor({ kernel, models }: { readonly kernel: KernelPort; readonly models: ModelSource }) {
     this.#source = models;
-    this.#session = new KernelSession(kernel);
+    this.#session = new KernelSession(kernel, capacities);
   }
 
   /**
@@ -66,71 +67,67 @@ export class Runner {
    *                      as a PlacedError where a step or model is to blame
    */
   run(recipe: Recipe, options: RunOptions = {}): Promise<Map<string, StepResult>> {
-    return this.#inTurn(async () => {
-      if (options.signal?.aborted) throw cancelled();
-      const planned = await plan(recipe, this.#source, options.until);
-      return this.#persistently(options.signal, () => this.#run(recipe, planned, options));
+    const { until, signal } = options;
+    return this.#inTurn(signal, async () => {
+      const planned = await plan(recipe, this.#source, until === undefined ? until : [until]);
+      return this.#persistently(signal, () => this.#run(recipe, planned, options));
     });
-  }
-
-  /** The opened model that a step starts from, or that a model's name stands for; of a merge step its source. */
-  input(recipe: Recipe, id: string, options: Pick<RunOptions, 'signal'> = {}): Promise<ModelResult> {
-    const step = stepById(recipe, id);
-    return this.opened(recipe, step ? referencesOf(step)[0]!.name : id, options);
   }
 
   /** The opened model under a name: one of the recipe's models, or what a step leaves. */
-  opened(recipe: Recipe, name: string, { signal }: Pick<RunOptions, 'signal'> = {}): Promise<ModelResult> {
-    return this.#inTurn(async () => {
-      const planned = await plan(recipe, this.#source, name);
-      return this.#persistently(signal, async () => {
-        const stages = this.#stages(recipe, planned);
-        await this.#run(recipe, planned, signal ? { signal } : {}, stages);
-        return this.#open(stages.get(name)!, signal);
-      });
-    });
-  }
-
-  /** Closed paths around painted vertices of a model or a step's result, the painted side to their left. */
-  async loopsAround(recipe: Recipe, name: string, vertices: Uint32Array): Promise<readonly Uint32Array[]> {
-    const { opened } = await this.opened(recipe, name);
-    return this.#session.call('loopsAround', { model: opened.model, vertices });
-  }
-
-  /** The plane maps that a merge step's optimal boundary is sought in. */
-  async mergeMaps(recipe: Recipe, { source, target, optimalBoundary }: MergeStep): Promise<RegionMaps> {
-    const [from, to] = [await this.opened(recipe, source), await this.opened(recipe, target)];
-    const counts = [vertexCount(from.model), vertexCount(to.model)] as const;
-    const regions = paintedRegions(
-      optimalBoundary ?? { sourceRegion: [], feature: [], targetRegion: [] },
-      ...counts,
+  async opened(recipe: Recipe, name: string, { signal }: AskOptions = {}): Promise<ModelResult> {
+    const [only] = await this.#inTurn(signal, () =>
+      this.#with(recipe, [name], signal, async (opened) => opened),
     );
-    const args = { source: from.opened.model, target: to.opened.model, regions };
-    return this.#session.call('mapRegions', args);
+    return only!;
+  }
+
+  /** The opened models that a step starts from, in the order of its references; the step itself is not run. */
+  inputs(recipe: Recipe, id: string, { signal }: AskOptions = {}): Promise<readonly ModelResult[]> {
+    return this.#inTurn(signal, () =>
+      this.#with(recipe, inputNames(recipe, id), signal, async (opened) => opened),
+    );
   }
 
   /**
-   * The field of a hair step at every `stride`-th node along each axis, for showing it.
+   * What a step's type lets be asked of it beside its result; the step itself is not run.
    *
-   * @throws LissomError  as `run`; `step-not-found` where the step grows no hair
+   * @throws LissomError  as `run`; `step-not-found` where there is no such step, or its type knows no such question
    */
-  hairField(
+  ask<Q extends Question>(
     recipe: Recipe,
     id: string,
-    { stride, signal }: { readonly stride: number; readonly signal?: AbortSignal },
-  ): Promise<HairField> {
-    return this.#inTurn(async () => {
-      const planned = await plan(recipe, this.#source, id);
-      const { step, index } = planned.steps.at(-1) ?? {};
-      if (step?.type !== 'hair') throw new LissomError('step-not-found', `The step ${id} grows no hair.`);
-      return this.#persistently(signal, async () => {
-        const stages = this.#stages(recipe, planned);
-        const before = { ...planned, steps: planned.steps.slice(0, -1) };
-        await this.#run(recipe, before, signal ? { signal } : {}, stages);
-        const inputs = [await this.#open(stages.get(step.model)!, signal)];
+    question: Q,
+    args: QuestionArgs<Q>,
+    { signal }: AskOptions = {},
+  ): Promise<Answer<Q>> {
+    return this.#inTurn(signal, () =>
+      this.#with(recipe, inputNames(recipe, id), signal, (inputs) => {
+        const index = recipe.steps.findIndex((step) => step.id === id);
+        const step = recipe.steps[index]!;
+        const answer = runnerOf(step).questions?.[question];
+        if (!answer) throw notFound(`The ${step.type} step ${JSON.stringify(id)} knows no ${question}.`);
         const context = { inputs, kernel: this.#session, settle: true, signal, onProgress: () => {} };
-        return placed(stepPlace(index!, step), () => hairField(step, context, stride));
-      });
+        return placed(
+          stepPlace(index, step),
+          () => answer(step, context, args as never) as Promise<Answer<Q>>,
+        );
+      }),
+    );
+  }
+
+  /** Does some work with opened models, once what they depend on has run. */
+  async #with<T>(
+    recipe: Recipe,
+    names: readonly string[],
+    signal: AbortSignal | undefined,
+    work: (opened: readonly ModelResult[]) => Promise<T>,
+  ): Promise<T> {
+    const planned = await plan(recipe, this.#source, names);
+    return this.#persistently(signal, async () => {
+      const stages = this.#stages(recipe, planned);
+      await this.#run(recipe, planned, signal ? { signal } : {}, stages);
+      return work(await this.#open(stages, names, signal));
     });
   }
 
@@ -144,23 +141,24 @@ export class Runner {
     const results = new Map<string, StepResult>();
     for (const [at, { step, index }] of steps.entries()) {
       if (signal?.aborted) throw cancelled();
-      const inputs: ModelResult[] = [];
-      for (const { name } of referencesOf(step)) inputs.push(await this.#open(stages.get(name)!, signal));
+      const names = referencesOf(step).map(({ name }) => name);
+      const inputs = await this.#open(stages, names, signal);
       const onProgress = (fraction: number) => options.onProgress?.((at + fraction) / steps.length, step);
       const context = { inputs, kernel: this.#session, settle, signal, onProgress };
       const place = stepPlace(index, step);
       const key = this.#resultKey(step, inputs, settle);
+      const runner = runnerOf(step);
       const outcome = await placed(place, () =>
         this.#outcome(key, async () => {
-          // A plan cannot check what follows a merge: only now are its vertices counted.
-          runnerOf(step).check(step, pathText(['steps', index]), shapesOf(step, inputs));
-          return runnerOf(step).run(step, context);
+          // A plan cannot check what follows a step that makes a new surface: only now are its vertices counted.
+          runner.check(step, pathText(['steps', index]), shapesOf(step, inputs));
+          return runner.run(step, context);
         }),
       );
-      if (measure && at === steps.length - 1 && sameVertices(outcome.model, inputs[0]!.model))
-        await this.#measure(outcome, inputs[0]!, signal);
-      stages.set(step.id, { model: outcome.model, key, place });
-      results.set(step.id, resultOf(recipe, step, inputs, outcome));
+      if (measure && at === steps.length - 1) await this.#measure(outcome, mainOf(step, inputs), signal);
+      for (const [name, stage] of stagesOf(step, outcome, { key, place })) stages.set(name, stage);
+      const finished = runner.finish?.(step, outcome) ?? outcome;
+      results.set(step.id, resultOf(recipe, step, inputs, finished, outcome.measured));
       onProgress(1);
     }
     return results;
@@ -177,8 +175,15 @@ export class Runner {
     return stages;
   }
 
-  #open({ model, key, place }: Stage, signal: AbortSignal | undefined): Promise<ModelResult> {
-    return placed(place, () => this.#session.open(model, signal, key));
+  async #open(
+    stages: ReadonlyMap<string, Stage>,
+    names: readonly string[],
+    signal: AbortSignal | undefined,
+  ): Promise<readonly ModelResult[]> {
+    const opened: ModelResult[] = [];
+    for (const { model, key, place } of names.map((name) => stages.get(name)!))
+      opened.push(await placed(place, () => this.#session.open(model, signal, key)));
+    return opened;
   }
 
   async #outcome(key: string, run: () => Promise<StepOutcome>): Promise<Cached> {
@@ -191,7 +196,9 @@ export class Runner {
 
   async #measure(outcome: Cached, input: ModelResult, signal: AbortSignal | undefined): Promise<void> {
     const { positions } = outcome.model;
-    const args = { model: input.opened.model, positions };
+    // What a step made anew cannot be measured against what came in.
+    if (positions.length !== input.model.positions.length) return;
+    const args = { model: input.opened.id, positions };
     outcome.measured ??= await this.#session.call('measure', args, signal ? { signal } : {});
   }
 
@@ -220,38 +227,38 @@ export class Runner {
     }
   }
 
-  #inTurn<T>(work: () => Promise<T>): Promise<T> {
-    const turn = this.#last.then(work);
+  #inTurn<T>(signal: AbortSignal | undefined, work: () => Promise<T>): Promise<T> {
+    const turn = this.#last.then(() => {
+      if (signal?.aborted) throw cancelled();
+      return work();
+    });
     this.#last = turn.catch(() => {});
     return turn;
   }
 }
 
-const bytesOf = ({ model, strands }: Cached): number =>
-  model.positions.byteLength + (strands?.points.byteLength ?? 0) + 1;
+const notFound = (message: string): LissomError => new LissomError('step-not-found', message);
 
 const shapesOf = (step: Step, inputs: readonly ModelResult[]): InputShape[] =>
   referencesOf(step).map(({ name }, at) => ({ name, vertices: vertexCount(inputs[at]!.model) }));
 
-/** What a step made anew cannot be measured against what came in. */
-const sameVertices = (a: Model, b: Model): boolean => a.positions.length === b.positions.length;
+function inputNames(recipe: Recipe, id: string): readonly string[] {
+  const step = recipe.steps.find((each) => each.id === id);
+  if (!step) throw notFound(`There is no step ${JSON.stringify(id)} in the recipe.`);
+  return referencesOf(step).map(({ name }) => name);
+}
 
-function resultOf(recipe: Recipe, step: Step, inputs: readonly ModelResult[], outcome: Cached): StepResult {
-  const { model, strands, figures, seconds, peakBytes, warnings, measured } = outcome;
-  // What was found in a model is told by the steps that start from it, not again by those that follow.
-  const input = inputs[0]!;
-  const found = referencesOf(step).some(({ name }) => Object.hasOwn(recipe.models, name))
-    ? input.opened.findings
-    : [];
-  const report = {
-    id: step.id,
-    type: step.type,
-    vertices: vertexCount(model),
-    faces: faceCount(model),
-    ...figures,
-    seconds,
-    peakBytes,
-    warnings: [...found, ...warnings],
-  };
-  return { model, input, inputs, report, ...(strands ? { strands } : {}), ...(measured ? { measured } : {}) };
+const bytesOf = ({ model, models = { model }, strands }: Cached): number =>
+  Object.values(models).reduce((sum, { positions }) => sum + positions.byteLength, 1) +
+  (strands?.points.byteLength ?? 0);
+
+/** What later steps find under the step's names; by its id that is the model in the place of its main input. */
+function* stagesOf(
+  step: Step,
+  { model, models }: StepOutcome,
+  { key, place }: Omit<Stage, 'model'>,
+): Iterable<[string, Stage]> {
+  yield [step.id, { model, key, place }];
+  for (const name of models ? producedNames(step) : [])
+    yield [name, { model: models![outputName(step, name)]!, key: `${key}/${outputName(step, name)}`, place }];
 }

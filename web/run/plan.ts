@@ -3,9 +3,9 @@
 import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
 import { vertexCount } from '../core/model';
-import { referencesOf } from '../recipe/cross-checks';
 import { pathText } from '../recipe/problem';
 import type { ModelRef, Recipe, Step } from '../recipe/recipe';
+import { namesOf, producedNames, referencesOf } from '../recipe/references';
 import { runnerOf } from './steps/all';
 import type { InputShape } from './steps/step-runner';
 import { type ModelSource, placed } from './types';
@@ -20,14 +20,14 @@ export interface Plan {
 /**
  * Loads what is needed and checks every index before anything is computed.
  *
- * @param until  id of the last step wanted, or a model's name; all steps when left out
+ * @param wanted  steps by their ids, or what models and results are called; all steps when left out
  * @throws LissomError `index-out-of-range`, `step-not-found`, or what the source says of a model
  */
-export async function plan(recipe: Recipe, source: ModelSource, until?: string): Promise<Plan> {
-  const steps = needed(recipe, until);
+export async function plan(recipe: Recipe, source: ModelSource, wanted?: readonly string[]): Promise<Plan> {
+  const steps = needed(recipe, wanted);
   const models = new Map<string, Model>();
   const names = steps.flatMap(({ step }) => referencesOf(step).map(({ name }) => name));
-  for (const name of until === undefined ? names : [...names, until]) {
+  for (const name of [...names, ...(wanted ?? [])]) {
     const ref = Object.hasOwn(recipe.models, name) ? recipe.models[name] : undefined;
     if (ref && !models.has(name))
       models.set(name, await placed(modelPlace(name, ref), () => source.load(name, ref)));
@@ -41,18 +41,18 @@ export const stepPlace = (index: number, step: Step): string => `${pathText(['st
 export const modelPlace = (name: string, ref: ModelRef): string =>
   `${pathText(['models', name])} (${'file' in ref ? ref.file : ref.builtin})`;
 
-function needed(recipe: Recipe, until: string | undefined): Plan['steps'] {
+function needed(recipe: Recipe, names: readonly string[] | undefined): Plan['steps'] {
   const all = recipe.steps.map((step, index) => ({ step, index }));
-  if (until === undefined) return all;
-  if (Object.hasOwn(recipe.models, until)) return [];
-  if (!all.some(({ step }) => step.id === until))
-    throw new LissomError('step-not-found', `There is no step ${JSON.stringify(until)} in the recipe.`);
-  const wanted = new Set([until]);
+  if (names === undefined) return all;
+  for (const name of names)
+    if (!Object.hasOwn(recipe.models, name) && !all.some(({ step }) => namesOf(step).has(name)))
+      throw new LissomError('step-not-found', `There is no step ${JSON.stringify(name)} in the recipe.`);
+  const wanted = new Set(names);
   // Backwards: a step only refers to earlier ones.
   return all
     .toReversed()
     .filter(({ step }) => {
-      if (!wanted.has(step.id)) return false;
+      if (![...namesOf(step)].some((name) => wanted.has(name))) return false;
       for (const { name } of referencesOf(step)) wanted.add(name);
       return true;
     })
@@ -67,6 +67,6 @@ function checkIndices(steps: Plan['steps'], models: ReadonlyMap<string, Model>):
     const runner = runnerOf(step);
     runner.check(step, pathText(['steps', index]), inputs);
     const vertices = runner.vertexCount(inputs);
-    if (vertices !== undefined) shapes.set(step.id, { name: step.id, vertices });
+    if (vertices !== undefined) for (const name of producedNames(step)) shapes.set(name, { name, vertices });
   }
 }

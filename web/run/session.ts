@@ -1,105 +1,72 @@
 import { Hasher } from '../core/hash';
 import { Lru } from '../core/lru';
 import type { Model } from '../core/model';
-import type {
-  Args,
-  CallOptions,
-  DeformId,
-  HairId,
-  KernelPort,
-  MergeId,
-  Method,
-  ModelId,
-  OpenedHair,
-  PreparedDeform,
-  PreparedMerge,
-  Result,
-  StyledHair,
-} from '../kernel/contract';
+import type { Args, CallOptions, KernelId, KernelPort, Method, Result } from '../kernel/contract';
+import type { OpenedModel } from '../kernel/contract/model';
 import type { ModelResult } from './types';
 
-/** Models open in the kernel at a time. */
-const OPEN_MODELS = 8;
-/** Factored systems kept: the one being dragged, and the ones to switch back to. */
-const SESSIONS = 3;
-/** Heads prepared for hair that are kept. */
-const HEADS = 2;
+/** How many answers of a method are kept, the ones used last, with what the kernel holds for each. */
+export type Capacities = { readonly [M in Method]?: number };
 
-/** A head prepared for hair, and the style that the kernel holds for it now. */
-interface HeldHair {
-  readonly opened: OpenedHair;
-  style?: { readonly key: string; readonly styled: StyledHair };
+export interface HoldOptions extends CallOptions {
+  /** The held thing whose state the answer tells: it is in one state at a time, and loses it with itself. */
+  readonly of?: KernelId;
 }
 
+const MODELS: Capacities = { openModel: 8 };
+
 /**
- * What the kernel holds for us: opened models and factored systems, by content. All ids die with the worker
+ * What the kernel holds for us: opened models, and whatever steps prepare, by content. All ids die with the worker
  * (another `epoch`); then everything is opened and prepared anew as it is asked for.
  */
 export class KernelSession {
   #epoch: number;
-  readonly #models = new Lru<ModelResult>(OPEN_MODELS, ({ opened }) => this.#release(opened.model));
-  readonly #prepared = new Lru<PreparedDeform>(SESSIONS, ({ deform }) => this.#release(deform));
-  readonly #merges = new Lru<PreparedMerge>(SESSIONS, ({ merge }) => this.#release(merge));
-  readonly #hair = new Lru<HeldHair>(HEADS, ({ opened }) => this.#release(opened.hair));
+  readonly #capacities: Capacities;
+  /** Answers by method, for each held thing those that tell its state; by themselves under `undefined`. */
+  readonly #held = new Map<KernelId | undefined, Map<Method, Lru<unknown>>>();
+  readonly #results = new WeakMap<OpenedModel, ModelResult>();
   readonly #keys = new WeakMap<Model, string>();
 
-  constructor(private readonly kernel: KernelPort) {
+  /** @param capacities  of what steps prepare; one where it does not say */
+  constructor(
+    private readonly kernel: KernelPort,
+    capacities: Capacities,
+  ) {
     this.#epoch = kernel.epoch;
+    this.#capacities = { ...MODELS, ...capacities };
   }
 
   /** @param key  hash of the content where it is known already: that of the result it is */
   async open(model: Model, signal?: AbortSignal, key = this.keyOf(model)): Promise<ModelResult> {
-    this.#sync();
-    const known = this.#models.get(key);
-    if (known) return known.model === model ? known : { ...known, model };
     const { positions, faceOffsets, faceVertices } = model;
-    const opened = await this.call('openModel', { positions, faceOffsets, faceVertices }, options(signal));
-    const result = { model, opened, key };
-    this.#models.set(key, result);
-    return result;
+    const args = { positions, faceOffsets, faceVertices };
+    const opened = await this.hold('openModel', key, args, signal ? { signal } : {});
+    const known = this.#results.get(opened) ?? { model, opened, key };
+    this.#results.set(opened, known);
+    return known.model === model ? known : { ...known, model };
   }
 
-  async prepare(key: string, args: Args<'prepareDeform'>, given: CallOptions): Promise<PreparedDeform> {
+  /**
+   * The answer of a method that makes the kernel hold something, or changes the state of what it holds. What is still
+   * held, or still in that state, is not asked for again.
+   *
+   * @param key  of all that the answer depends on
+   */
+  async hold<M extends Method>(
+    method: M,
+    key: string,
+    args: Args<M>,
+    { of, ...options }: HoldOptions = {},
+  ): Promise<Result<M>> {
     this.#sync();
-    const known = this.#prepared.get(key);
+    const kept = this.#keptFor(method, of);
+    const known = kept.get(key) as Result<M> | undefined;
     if (known) return known;
-    const prepared = await this.call('prepareDeform', args, given);
-    this.#prepared.set(key, prepared);
-    return prepared;
-  }
-
-  async prepareMerge(key: string, args: Args<'prepareMerge'>, given: CallOptions): Promise<PreparedMerge> {
-    this.#sync();
-    const known = this.#merges.get(key);
-    if (known) return known;
-    const prepared = await this.call('prepareMerge', args, given);
-    this.#merges.set(key, prepared);
-    return prepared;
-  }
-
-  /** @param key  of head, scalp and resolution */
-  async openHair(key: string, args: Args<'openHair'>, given: CallOptions): Promise<OpenedHair> {
-    this.#sync();
-    const known = this.#hair.get(key);
-    if (known) return known.opened;
-    const opened = await this.call('openHair', args, given);
-    this.#hair.set(key, { opened });
-    return opened;
-  }
-
-  /** Gives a head its style, unless it has it. @param headKey  as in `openHair`, which comes before */
-  async styleHair(
-    headKey: string,
-    styleKey: string,
-    args: Args<'styleHair'>,
-    given: CallOptions,
-  ): Promise<StyledHair> {
-    const held = this.#hair.get(headKey);
-    if (held?.style?.key === styleKey) return held.style.styled;
-    if (held) delete held.style; // whatever happens now, the kernel's style is no longer that one
-    const styled = await this.call('styleHair', args, given);
-    if (held) held.style = { key: styleKey, styled };
-    return styled;
+    // Whatever comes of it, the state before is gone.
+    if (of !== undefined) kept.clear();
+    const answer = await this.call(method, args, options);
+    kept.set(key, answer);
+    return answer;
   }
 
   call<M extends Method>(method: M, args: Args<M>, given?: CallOptions): Promise<Result<M>> {
@@ -121,19 +88,26 @@ export class KernelSession {
     return key;
   }
 
+  #keptFor(method: Method, of: KernelId | undefined): Lru<unknown> {
+    const byMethod = this.#held.get(of) ?? new Map<Method, Lru<unknown>>();
+    this.#held.set(of, byMethod);
+    const capacity = of === undefined ? (this.#capacities[method] ?? 1) : 1;
+    const kept = byMethod.get(method) ?? new Lru(capacity, (answer) => this.#release(answer));
+    byMethod.set(method, kept);
+    return kept;
+  }
+
   #sync(): void {
     if (!this.isStale) return;
-    this.#models.clear();
-    this.#prepared.clear();
-    this.#merges.clear();
-    this.#hair.clear();
+    this.#held.clear();
     this.#epoch = this.kernel.epoch;
   }
 
-  #release(id: ModelId | DeformId | MergeId | HairId): void {
+  #release(answer: unknown): void {
+    const { id } = (answer ?? {}) as { readonly id?: KernelId };
+    if (id === undefined) return;
+    this.#held.delete(id);
     // A worker that dies meanwhile has freed it already.
     if (!this.isStale) this.kernel.call('release', { id }).catch(() => {});
   }
 }
-
-const options = (signal: AbortSignal | undefined): CallOptions => (signal ? { signal } : {});

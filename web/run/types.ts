@@ -1,7 +1,6 @@
-import { type Finding, LissomError } from '../core/errors';
+import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
-import type { Strands } from '../core/strands';
-import type { Measured, OpenedModel } from '../kernel/contract';
+import type { OpenedModel } from '../kernel/contract/model';
 import type { ModelRef } from '../recipe/recipe';
 
 /** Where models come from: the gallery, dropped files, a folder beside the recipe. */
@@ -20,30 +19,6 @@ export interface ModelResult {
   readonly opened: OpenedModel;
   /** Hash of the content: equal keys, equal bytes. */
   readonly key: string;
-}
-
-/** One step's line in the report (RECIPES); each step type adds its own figures. */
-export interface StepReport {
-  readonly id: string;
-  readonly type: string;
-  readonly vertices: number;
-  readonly faces: number;
-  readonly seconds: Readonly<Record<string, number>>;
-  readonly peakBytes: number;
-  readonly warnings: readonly Finding[];
-  readonly [figure: string]: unknown;
-}
-
-export interface StepResult {
-  /** The model the step leaves; for a deform step the input with other positions. */
-  readonly model: Model;
-  /** The hair of a hair step, whose model is its head as it came in. */
-  readonly strands?: Strands;
-  readonly input: ModelResult;
-  /** All that came in, in the order of the step's references: of a merge step the source and the target. */
-  readonly inputs: readonly ModelResult[];
-  readonly report: StepReport;
-  readonly measured?: Measured;
 }
 
 /** An error with the place it happened at, for those who do not see which step or model is meant. */

@@ -5,12 +5,12 @@ import type { InputShape } from './steps/step-runner';
 
 const keys = new WeakMap<object, string>();
 
-/** Hash of a vertex set as it is written. Recipes are immutable, so a set is hashed once, not on every drag. */
-export function vertexSetKey(set: VertexSet): string {
+/** Hash of a vertex set as it is written. Recipes and models are immutable, so a set is hashed once, not on every drag. */
+export function vertexSetKey(set: VertexSet | Uint32Array): string {
   if (set === 'all') return set;
   let key = keys.get(set);
   if (key === undefined) {
-    key = hashValue(set);
+    key = hashValue(set instanceof Uint32Array ? [...set] : set);
     keys.set(set, key);
   }
   return key;

@@ -1,4 +1,4 @@
-import type { Hit, PointerSample, RegionPaint, ViewportPort } from '../view/types';
+import type { Hit, PointerSample, ViewportPort } from '../view/types';
 import type { MeshGraph } from './mesh-graph';
 
 export interface Brush {
@@ -7,12 +7,19 @@ export interface Brush {
   readonly erase: boolean;
 }
 
+/** What a stroke under way has painted so far. */
+export interface Paint {
+  /** What it is: the region of interest, a handle, … */
+  readonly kind: string;
+  readonly vertices: Uint32Array;
+}
+
 /** What painting needs of the app. */
 export interface PaintHost {
   readonly view: Pick<ViewportPort, 'pick' | 'verticesWithin' | 'pixelSize' | 'setBrush'>;
   brush(): Brush;
   /** Shows a stroke under way without computing anything; `null` ends it. */
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void;
+  showPaint(paint: Paint | null): void;
 }
 
 /** The surface that is painted on. */

@@ -1,10 +1,10 @@
 // Small affine maps: 16 numbers, column-major, last row 0 0 0 1 (as recipes and the kernel hold them).
 
+import { type Affine, IDENTITY } from '../core/affine';
 import type { Vec3 } from '../view/types';
 
-export type Mat4 = readonly number[];
-
-export const IDENTITY: Mat4 = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+export { IDENTITY };
+export type Mat4 = Affine;
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 export const subtract = (a: Vec3, b: Vec3): Vec3 => [a[0] - b[0], a[1] - b[1], a[2] - b[2]];

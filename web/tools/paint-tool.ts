@@ -1,4 +1,4 @@
-import type { PointerSample, RegionPaint } from '../view/types';
+import type { PointerSample } from '../view/types';
 import { BrushStroke, type PaintHost, type PaintScene, radiusOf } from './brush-stroke';
 import type { Tool } from './tool';
 
@@ -14,7 +14,7 @@ interface Canvas {
 
 /** What a brush paints. */
 export interface PaintSubject<S extends PaintScene> {
-  readonly kind: RegionPaint['kind'];
+  readonly kind: string;
   /** `null` while there is nothing to paint on. */
   scene(): S | null;
   /** @param first  the vertices under the brush where the gesture begins */

@@ -8,24 +8,23 @@ import './controls/controls.css';
 import { AppContext } from './context';
 import { Dialogs } from './dialogs/dialogs';
 import './dialogs/dialogs.css';
-import './merge/merge.css';
 import './shell/shell.css';
 import { SidePanel } from './shell/side-panel';
-import { type Frames, Stage } from './shell/stage';
+import { Stage } from './shell/stage';
 import { StatusBar } from './shell/status-bar';
 import { Toasts } from './shell/toasts';
 import { ToolRail } from './shell/tool-rail';
 import { TopBar } from './shell/top-bar';
 import './tokens.css';
 
-function Page({ app, frames }: { app: App; frames: Frames }) {
+function Page({ app, frame }: { app: App; frame: HTMLElement }) {
   const [panelOpen, setPanelOpen] = useState(() => window.innerWidth >= 900);
   return (
     <AppContext.Provider value={app}>
       <div class={panelOpen ? 'page' : 'page panel-closed'}>
         <TopBar panelOpen={panelOpen} onTogglePanel={() => setPanelOpen(!panelOpen)} />
         <ToolRail />
-        <Stage frames={frames} />
+        <Stage frame={frame} />
         {panelOpen && <SidePanel />}
         <StatusBar />
       </div>
@@ -35,7 +34,7 @@ function Page({ app, frames }: { app: App; frames: Frames }) {
   );
 }
 
-/** Renders the page into `root`; `frames` are the viewports' own elements, placed in the middle of it. */
-export function renderApp(root: HTMLElement, app: App, frames: Frames): void {
-  render(<Page app={app} frames={frames} />, root);
+/** Renders the page into `root`; `frame` is the viewport's own element, placed in the middle of it. */
+export function renderApp(root: HTMLElement, app: App, frame: HTMLElement): void {
+  render(<Page app={app} frame={frame} />, root);
 }

@@ -1,5 +1,5 @@
 import { OrthographicCamera, PerspectiveCamera, Ray, Vector3 } from 'three';
-import type { ViewPreset } from './types';
+import type { ViewPreset } from './values';
 
 /** Where the camera stands: at `distance` from `target`, `turn` around the vertical, `tilt` down from it. */
 interface Stand {

@@ -1,7 +1,7 @@
 import { type Camera, Matrix4, Mesh, Object3D, type Scene } from 'three';
 import { TransformControls } from 'three/addons/controls/TransformControls.js';
 import type { Palette } from './palette';
-import type { GizmoEvents, GizmoState } from './types';
+import type { GizmoEvents, GizmoState } from './values';
 import type { ViewSpace } from './view-space';
 
 /** Scales below this would fold the handle onto itself. */

@@ -2,7 +2,7 @@ import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Sphere, Vector
 import { facesInwards, isClosed, VertexNormals } from './normals';
 import { assignChannels, type Channel } from './region-channels';
 import { SurfaceGraph } from './surface-graph';
-import type { RegionPaint, ViewModel } from './types';
+import type { RegionPaint, ViewModel } from './values';
 import { ViewSpace } from './view-space';
 
 /** One model on the graphics card: places, normals and the fields its look is made of. */
@@ -36,7 +36,7 @@ export class ModelView {
     if (model.colors) this.geometry.setAttribute('paint', new BufferAttribute(model.colors, 4, true));
     this.#normals = new VertexNormals(model.triangles, model.welded);
     this.mesh = new Mesh(this.geometry);
-    // The drawn size is known, and live deformation must not wait for new bounds.
+    // The drawn size is known, and live changes of shape must not wait for new bounds.
     this.geometry.boundingSphere = new Sphere(new Vector3(), 4);
     this.mesh.frustumCulled = false;
     this.mesh.castShadow = true;

@@ -1,6 +1,6 @@
 import { type Camera, Vector3 } from 'three';
 import type { Palette } from './palette';
-import type { Vec3, ViewPreset } from './types';
+import type { Vec3, ViewPreset } from './values';
 import type { ViewSpace } from './view-space';
 
 const SIZE = 92;

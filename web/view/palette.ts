@@ -1,6 +1,12 @@
 // The viewport's colours: LOOK's tokens, and the few tones only a picture needs.
 
-import type { RegionPaint } from './types';
+/**
+ * Tints of what is marked on a model, for every purpose alike. Where marked regions overlap, later ones lie over earlier;
+ * the first two are for large areas and are paler.
+ */
+export const TINTS = ['blue', 'green', 'azure', 'red', 'yellow', 'violet'] as const;
+export type Tint = (typeof TINTS)[number];
+export const LARGE: ReadonlySet<Tint> = new Set(['blue', 'green']);
 
 export interface Palette {
   readonly exposure: number;
@@ -15,7 +21,7 @@ export interface Palette {
   readonly wireStrength: number;
   readonly panel: string;
   readonly warn: string;
-  readonly regions: Readonly<Record<RegionPaint['kind'], string>>;
+  readonly tints: Readonly<Record<Tint, string>>;
   /** x, y, z. */
   readonly axes: readonly [string, string, string];
 }
@@ -36,13 +42,13 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     wireStrength: 0.42,
     panel: '#1d2025',
     warn: '#f0a843',
-    regions: {
-      roi: '#4f8cff',
-      handle: '#a566ff',
-      source: '#e5534b',
-      feature: '#e3b341',
-      target: '#4f8cff',
-      scalp: '#4cc38a',
+    tints: {
+      blue: '#4f8cff',
+      violet: '#a566ff',
+      red: '#e5534b',
+      yellow: '#e3b341',
+      azure: '#4f8cff',
+      green: '#4cc38a',
     },
     axes: ['#e8636b', '#7fbf5a', '#5b93f5'],
   },
@@ -57,13 +63,13 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     wireStrength: 0.4,
     panel: '#ffffff',
     warn: '#b36b00',
-    regions: {
-      roi: '#2f6fe4',
-      handle: '#8640e6',
-      source: '#ce4b44',
-      feature: '#cca13b',
-      target: '#477ee6',
-      scalp: '#1f9d63',
+    tints: {
+      blue: '#2f6fe4',
+      violet: '#8640e6',
+      red: '#ce4b44',
+      yellow: '#cca13b',
+      azure: '#477ee6',
+      green: '#1f9d63',
     },
     axes: ['#d2434c', '#4f9130', '#3a70dc'],
   },

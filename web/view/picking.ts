@@ -1,7 +1,7 @@
 import { DoubleSide, type Ray, Triangle, Vector3 } from 'three';
 import { MeshBVH } from 'three-mesh-bvh';
 import type { ModelView } from './model-view';
-import type { Hit, Vec3 } from './types';
+import type { Hit, Vec3 } from './values';
 
 /** Rays and brushes against one model as it is posed. The tree is built when first needed. */
 export class Picker {

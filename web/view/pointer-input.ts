@@ -2,14 +2,7 @@
 
 import type { CameraRig } from './camera-rig';
 import type { Gizmo } from './gizmo';
-import type { Hit, PointerHandler, PointerSample } from './types';
-
-export interface NavigationOptions {
-  /** Two fingers on a trackpad orbit (shift: pan) instead of zooming as a wheel does. */
-  readonly trackpad: boolean;
-  /** Once a pen has been seen, fingers only move the camera. */
-  readonly palmRejection: boolean;
-}
+import type { Hit, PointerHandler, PointerSample } from './values';
 
 export interface PointerHost {
   readonly rig: CameraRig;
@@ -31,7 +24,6 @@ const MIDDLE = 1;
 
 export class PointerInput {
   handler: PointerHandler | null = null;
-  navigation: NavigationOptions = { trackpad: false, palmRejection: true };
   #gesture: Gesture = 'none';
   /** The pointer that began a gesture of one pointer. */
   #owner = -1;
@@ -105,8 +97,8 @@ export class PointerInput {
   #begin(event: PointerEvent, at: Place): Gesture {
     if (event.button === MIDDLE) return 'pan';
     if (event.button === RIGHT) return event.shiftKey ? 'pan' : 'orbit';
-    const fingerOnly = event.pointerType === 'touch' && this.#penSeen && this.navigation.palmRejection;
-    if (fingerOnly) return 'orbit';
+    // Once a pen has been seen, fingers only move the camera: a palm lies on the glass.
+    if (event.pointerType === 'touch' && this.#penSeen) return 'orbit';
     if (this.host.gizmo.down(...this.#device(at))) return 'gizmo';
     if (this.handler?.down(this.#sample(event))) return 'tool';
     return 'orbit';
@@ -211,15 +203,10 @@ export class PointerInput {
     const unit = event.deltaMode === 1 ? 16 : event.deltaMode === 2 ? this.host.rig.size.height : 1;
     const { x, y } = this.#place(event);
     const [dx, dy] = [event.deltaX * unit, event.deltaY * unit];
-    if (this.navigation.trackpad && !event.ctrlKey) {
-      if (event.shiftKey) this.host.rig.pan(-dx, -dy);
-      else this.host.rig.orbit(-dx, -dy);
-    } else {
-      // Browsers report a trackpad's pinch as ctrl + wheel, in finer steps.
-      const rate = event.ctrlKey ? 0.01 : 0.0016;
-      const turn = Math.min(240, Math.max(-240, dy || dx));
-      this.host.rig.zoom(Math.exp(turn * rate), x, y);
-    }
+    // Browsers report a trackpad's pinch as ctrl + wheel, in finer steps.
+    const rate = event.ctrlKey ? 0.01 : 0.0016;
+    const turn = Math.min(240, Math.max(-240, dy || dx));
+    this.host.rig.zoom(Math.exp(turn * rate), x, y);
     this.host.changed();
   }
 

@@ -1,18 +1,16 @@
 // Painted regions go to the graphics card as a few 0–1 fields per vertex, "channels". Regions of one look
 // share a channel as long as they do not touch, so that a border is seen where they do.
 
-import type { RegionPaint } from './types';
+import { TINTS, type Tint } from './palette';
+import type { RegionPaint } from './values';
 
 export const CHANNELS = 8;
 
 export interface Channel {
-  readonly kind: RegionPaint['kind'];
+  readonly tint: Tint;
   readonly selected: boolean;
   readonly regions: readonly RegionPaint[];
 }
-
-/** What lies over what: the region of interest is the ground, whatever is selected comes last. */
-const ORDER: readonly RegionPaint['kind'][] = ['roi', 'scalp', 'target', 'source', 'feature', 'handle'];
 
 /**
  * At most `CHANNELS` channels, lowest first. With more groups than that, the last one of a look takes what
@@ -25,11 +23,11 @@ export function assignChannels(
   const seen = regions.filter((region) => region.visible && region.vertices.length > 0);
   const looks = new Map<number, RegionPaint[]>();
   for (const region of seen) {
-    const look = 2 * ORDER.indexOf(region.kind) + Number(region.selected);
+    const look = 2 * TINTS.indexOf(region.tint) + Number(region.selected);
     looks.set(look, [...(looks.get(look) ?? []), region]);
   }
   const keys = [...looks.keys()].sort((a, b) => a - b);
-  const channels: { kind: RegionPaint['kind']; selected: boolean; regions: RegionPaint[] }[] = [];
+  const channels: { tint: Tint; selected: boolean; regions: RegionPaint[] }[] = [];
   keys.forEach((key, index) => {
     const first = channels.length;
     const limit = CHANNELS - (keys.length - 1 - index);
@@ -38,7 +36,7 @@ export function assignChannels(
       const free = own.find((channel) => !channel.regions.some((other) => touching(region, other)));
       if (free) free.regions.push(region);
       else if (channels.length < limit) {
-        channels.push({ kind: region.kind, selected: region.selected, regions: [region] });
+        channels.push({ tint: region.tint, selected: region.selected, regions: [region] });
       } else channels.at(-1)!.regions.push(region);
     }
   });

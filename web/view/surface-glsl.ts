@@ -2,19 +2,15 @@
 // inside of open surfaces and the brush's ring. Lines are measured in pixels by the screen-space gradient
 // of the field they are a level of.
 
-import { OPACITY_LOOKUP } from './hair/strand-glsl';
-
 export const VERTEX_DECLARATIONS = /* glsl */ `
 attribute vec4 regionsLow;
 attribute vec4 regionsHigh;
 attribute float heat;
 attribute vec3 paint;
-attribute float rooted;
 varying vec4 vRegionsLow;
 varying vec4 vRegionsHigh;
 varying float vHeat;
 varying vec3 vPaint;
-varying float vRooted;
 varying vec3 vPlace;
 `;
 
@@ -23,7 +19,6 @@ vRegionsLow = regionsLow;
 vRegionsHigh = regionsHigh;
 vHeat = heat;
 vPaint = paint;
-vRooted = rooted;
 vPlace = position;
 `;
 
@@ -68,8 +63,12 @@ vec3 toLinear(vec3 c) {
 }
 `;
 
-/** After the material knows its own colour, before light. Leaves the lines in `over`. */
-export const FRAGMENT_COLOUR = /* glsl */ `
+/**
+ * After the material knows its own colour, before light. Leaves the lines in `over`.
+ *
+ * @param shades  what layers do to `base`
+ */
+export const fragmentColour = (shades: string): string => /* glsl */ `
 vec4 over = vec4(0.0);
 {
   vec3 base = diffuseColor.rgb;
@@ -91,38 +90,9 @@ vec4 over = vec4(0.0);
     paintRegion(vRegionsHigh.z, regionFill[6], regionLine[6], regionWidth[6], base, over);
     paintRegion(vRegionsHigh.w, regionFill[7], regionLine[7], regionWidth[7], base, over);
   }
-#ifdef HAIR
-  if (!heatShown) base = mix(base, base * hairTint, 0.6 * smoothstep(0.25, 1.0, vRooted));
-#endif
+  ${shades}
   diffuseColor.rgb = base;
 }
-`;
-
-/** What hair takes from the light that falls on a surface. Only where there is hair. */
-export const HAIR_DECLARATIONS = /* glsl */ `
-#ifdef HAIR
-precision highp sampler3D;
-${OPACITY_LOOKUP}
-uniform sampler3D hairShade;
-uniform vec3 hairShadeLow;
-uniform float hairShadeSize;
-uniform vec3 hairTint;
-varying float vRooted;
-#endif
-`;
-
-/** After light has been gathered: the key light is the only one that is not part of the room. */
-export const HAIR_SHADE = /* glsl */ `
-#ifdef HAIR
-{
-  float key = exp(-keyLightAt(vPlace, 0.0, 0.0).x);
-  reflectedLight.directDiffuse *= key;
-  reflectedLight.directSpecular *= key;
-  float open_ = texture(hairShade, clamp((vPlace - hairShadeLow) / hairShadeSize, 0.0, 1.0)).r;
-  reflectedLight.indirectDiffuse *= open_;
-  reflectedLight.indirectSpecular *= open_;
-}
-#endif
 `;
 
 /** After tone mapping and encoding: overlay colours are what the palette says. */

@@ -15,18 +15,22 @@ import {
 } from 'three';
 import { heatTexels } from './heat';
 import { matcapTexture } from './matcaps';
-import { CLAY, INTERIOR, type Palette } from './palette';
+import { CLAY, INTERIOR, LARGE, type Palette } from './palette';
 import { CHANNELS, type Channel } from './region-channels';
 import {
-  FRAGMENT_COLOUR,
   FRAGMENT_DECLARATIONS,
   FRAGMENT_OVERLAY,
-  HAIR_DECLARATIONS,
-  HAIR_SHADE,
+  fragmentColour,
   VERTEX_BODY,
   VERTEX_DECLARATIONS,
 } from './surface-glsl';
-import type { DisplayOptions } from './types';
+import type { SurfaceShade } from './surface-shade';
+import type { DisplayOptions, Hit } from './values';
+import type { ViewSpace } from './view-space';
+
+/** Over clay in either theme. */
+const BRUSH_ADDS = '#ffffff';
+const BRUSH_ERASES = '#ff7a72';
 
 type SurfaceMaterial = MeshStandardMaterial | MeshMatcapMaterial;
 
@@ -36,7 +40,9 @@ const each = <T>(make: () => T): T[] => Array.from({ length: CHANNELS }, make);
 export class SurfaceMaterials {
   readonly #heatMap = new DataTexture(heatTexels(256), 256, 1);
   readonly #made = new Map<DisplayOptions['shading'], SurfaceMaterial>();
-  #hair: Readonly<Record<string, IUniform>> | undefined;
+  #shades: readonly SurfaceShade[] = [];
+  /** The uniforms of all shades there have been. */
+  readonly #relays: Record<string, IUniform> = {};
 
   readonly uniforms = {
     regionFill: { value: each(() => new Vector4()) },
@@ -84,9 +90,9 @@ export class SurfaceMaterials {
       regionLine.value[i]!.set(0, 0, 0, 0);
       if (!channel) continue;
       // Paler than the line: a tint must not make the clay darker.
-      const fill = new Color(palette.regions[channel.kind]).lerp(new Color(1, 1, 1), 0.07);
-      const line = display(palette.regions[channel.kind]);
-      const strength = channel.kind === 'roi' || channel.kind === 'scalp' ? 0.66 : 0.72;
+      const fill = new Color(palette.tints[channel.tint]).lerp(new Color(1, 1, 1), 0.07);
+      const line = display(palette.tints[channel.tint]);
+      const strength = LARGE.has(channel.tint) ? 0.66 : 0.72;
       regionFill.value[i]!.set(fill.r, fill.g, fill.b, channel.selected ? strength + 0.16 : strength);
       if (channel.selected) line.lerp(new Vector3(1, 1, 1), 0.55);
       regionLine.value[i]!.set(line.x, line.y, line.z, 1);
@@ -94,15 +100,33 @@ export class SurfaceMaterials {
     }
   }
 
-  /** @param uniforms  of the hair that stands between surface and light */
-  setHair(uniforms: Readonly<Record<string, IUniform>> | undefined): void {
-    if (this.#hair === uniforms) return;
-    this.#hair = uniforms;
-    for (const material of this.#made.values()) this.#useHair(material);
+  /** What layers add to the surfaces, as of the next picture. */
+  setShades(shades: readonly SurfaceShade[]): void {
+    const before = this.#shades;
+    this.#shades = shades;
+    for (const { uniforms } of shades)
+      for (const name of Object.keys(uniforms)) this.#relays[name] ??= this.#relay(name);
+    if (shades.length === before.length && shades.every(({ id }, i) => id === before[i]!.id)) return;
+    for (const material of this.#made.values()) material.needsUpdate = true;
   }
 
-  setBrushColour(colour: string): void {
-    this.uniforms.brushColour.value.copy(display(colour));
+  /** @returns whether the surfaces look different now */
+  setBrush(
+    brush: { readonly hit: Hit; readonly radius: number; readonly erase: boolean } | null,
+    space: ViewSpace,
+  ): boolean {
+    const { brushCentre, brushNormal, brushSide, brushColour, brushRadius, brushDashed } = this.uniforms;
+    if (!brush && brushRadius.value === 0) return false;
+    brushRadius.value = brush ? brush.radius * space.scale : 0;
+    if (brush) {
+      space.toView(brush.hit.point, brushCentre.value);
+      const normal = space.directionToView(brush.hit.normal, brushNormal.value);
+      const apart = Math.abs(normal.y) < 0.9 ? new Vector3(0, 1, 0) : new Vector3(1, 0, 0);
+      brushSide.value.crossVectors(apart, normal).normalize();
+      brushDashed.value = brush.erase;
+      brushColour.value.copy(display(brush.erase ? BRUSH_ERASES : BRUSH_ADDS));
+    }
+    return true;
   }
 
   dispose(): void {
@@ -122,27 +146,34 @@ export class SurfaceMaterials {
     material.shadowSide = DoubleSide;
     material.toneMapped = !(material instanceof MeshMatcapMaterial);
     material.onBeforeCompile = (shader) => this.#extend(shader);
-    this.#useHair(material);
+    material.customProgramCacheKey = () => this.#shades.map(({ id }) => id).join();
     return material;
   }
 
-  #useHair(material: SurfaceMaterial): void {
-    const { HAIR: _, ...defines } = material.defines ?? {};
-    material.defines = this.#hair ? { ...defines, HAIR: '' } : defines;
-    material.needsUpdate = true;
-  }
-
   #extend(shader: WebGLProgramParametersWithUniforms): void {
-    Object.assign(shader.uniforms, this.uniforms as Record<string, IUniform>, this.#hair);
-    shader.vertexShader = VERTEX_DECLARATIONS + after(shader.vertexShader, 'begin_vertex', VERTEX_BODY);
+    const shades = this.#shades;
+    const all = (part: (shade: SurfaceShade) => string): string => shades.map(part).join('\n');
+    Object.assign(shader.uniforms, this.uniforms as Record<string, IUniform>, this.#relays);
+    const body = VERTEX_BODY + all(({ vertexBody }) => vertexBody);
+    shader.vertexShader =
+      VERTEX_DECLARATIONS +
+      all(({ vertexDeclarations }) => vertexDeclarations) +
+      after(shader.vertexShader, 'begin_vertex', body);
     shader.fragmentShader =
       FRAGMENT_DECLARATIONS +
-      HAIR_DECLARATIONS +
+      all(({ declarations }) => declarations) +
       [
-        ['color_fragment', FRAGMENT_COLOUR] as const,
-        ['lights_fragment_end', HAIR_SHADE] as const,
+        ['color_fragment', fragmentColour(all(({ colour }) => colour))] as const,
+        ['lights_fragment_end', all(({ light }) => light)] as const,
         ['colorspace_fragment', FRAGMENT_OVERLAY] as const,
       ].reduce((source, [chunk, addition]) => after(source, chunk, addition), shader.fragmentShader);
+  }
+
+  /** Programs outlive the layers they were compiled for: a value is that of the layer that is there now. */
+  #relay(name: string): IUniform {
+    return Object.defineProperty({} as IUniform, 'value', {
+      get: () => this.#shades.find(({ uniforms }) => name in uniforms)?.uniforms[name]?.value,
+    });
   }
 }
 

@@ -1,5 +1,5 @@
 import { type Matrix4, Quaternion, Vector3 } from 'three';
-import type { Vec3, ViewModel } from './types';
+import type { Vec3, ViewModel } from './values';
 
 const UPRIGHT = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), -Math.PI / 2);
 

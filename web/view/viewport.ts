@@ -1,51 +1,44 @@
 import {
-  ACESFilmicToneMapping,
   BackSide,
   DoubleSide,
   FrontSide,
-  PCFShadowMap,
   Plane,
   type Ray,
   Scene,
   type Side,
   Vector3,
-  WebGLRenderer,
+  type WebGLRenderer,
 } from 'three';
-import { LissomError } from '../core/errors';
-import type { Strands } from '../core/strands';
 import { CameraRig } from './camera-rig';
 import { DrawLoop } from './draw-loop';
 import { Gizmo } from './gizmo';
-import { HairLayer } from './hair/hair-layer';
-import { Rest } from './hair/rest';
-import { StillPicture } from './hair/still';
-import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './hair/types';
-import { LoopLines } from './loop-lines';
-import { Markers } from './markers';
+import { keptPicture } from './kept-picture';
+import type { LayerKind, Mounted } from './layer';
+import { Layers } from './layers';
 import { ModelView } from './model-view';
 import { OrientationWidget, type ViewLabels } from './orientation-widget';
 import { PALETTES, type Palette } from './palette';
 import { Picker } from './picking';
-import { type NavigationOptions, PointerInput } from './pointer-input';
+import { PointerInput } from './pointer-input';
+import { rendererFor } from './renderer';
+import { Rest } from './rest';
 import { Stage } from './stage';
 import { SurfaceMaterials } from './surface-material';
+import type { ViewportPort } from './types';
 import type {
   CameraState,
   DisplayOptions,
   GizmoEvents,
   GizmoState,
   Hit,
-  LoopLine,
   PictureOptions,
   PointerHandler,
-  PointMarker,
   RegionPaint,
   Vec3,
   ViewModel,
   ViewPreset,
-  ViewportPort,
-} from './types';
-import { ViewSpace } from './view-space';
+} from './values';
+import type { ViewSpace } from './view-space';
 import { Wireframe } from './wireframe';
 
 export interface ViewportOptions {
@@ -57,17 +50,6 @@ export interface ViewportOptions {
   readonly labels?: ViewLabels;
 }
 
-/** Fingers and pens are less exact than this many CSS pixels. */
-const MARKER_REACH = 14;
-/** Over clay in either theme. */
-const BRUSH_ADDS = '#ffffff';
-const BRUSH_ERASES = '#ff7a72';
-/** Pictures that make one to keep. */
-const SCREENSHOT_SAMPLES = 32;
-/** Fewer show strands as dots. */
-const FEWEST = 4;
-/** A page that is not looked at draws no frames, but goes on after so many ms. */
-const UNSEEN = 200;
 const DEFAULT_DISPLAY: DisplayOptions = {
   shading: 'clay',
   smooth: true,
@@ -83,15 +65,13 @@ export class Viewport implements ViewportPort {
   readonly #rig = new CameraRig();
   readonly #stage: Stage;
   readonly #materials = new SurfaceMaterials();
-  readonly #markers = new Markers();
-  readonly #loops = new LoopLines();
   readonly #drawn = new Set<() => void>();
   readonly #gizmo: Gizmo;
   readonly #widget: OrientationWidget;
   readonly #input: PointerInput;
   readonly #resizes: ResizeObserver;
   readonly #stop = new AbortController();
-  readonly #hair: HairLayer;
+  readonly #layers: Layers;
   readonly #rest: Rest;
   readonly #loop = new DrawLoop(
     (elapsed) => this.#advance(elapsed),
@@ -109,19 +89,24 @@ export class Viewport implements ViewportPort {
 
   /** @throws LissomError  `webgl-missing`: no WebGL 2 */
   constructor(
-    private readonly canvas: HTMLCanvasElement,
+    canvas: HTMLCanvasElement,
     private readonly options: ViewportOptions = {},
   ) {
-    this.#renderer = rendererFor(canvas, options);
+    this.#renderer = rendererFor(canvas, options.test);
     const container = options.container ?? canvas.parentElement ?? document.body;
     Object.assign(canvas.style, { display: 'block', width: '100%', height: '100%' });
     this.#stage = new Stage(this.#renderer, this.#scene, options.test);
-    this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, ViewSpace.identity, () => this.#redraw());
+    this.#layers = new Layers({
+      renderer: this.#renderer,
+      test: options.test ?? false,
+      redraw: () => this.#redraw(),
+      onScreen: (place) => this.#onScreen(place),
+    });
+    this.#scene.add(this.#layers.group);
+    this.#gizmo = new Gizmo(this.#scene, this.#rig.camera, this.#space, () => this.#redraw());
     this.#widget = new OrientationWidget((preset) => this.setView(preset), options.labels);
     container.append(this.#widget.element);
-    this.#hair = new HairLayer(this.#renderer, options.test ?? false);
     this.#rest = new Rest(this.#renderer, () => this.#loop.request());
-    this.#scene.add(this.#markers.group, this.#loops.group, this.#hair.group);
     this.#input = new PointerInput(canvas, {
       rig: this.#rig,
       gizmo: this.#gizmo,
@@ -147,10 +132,8 @@ export class Viewport implements ViewportPort {
       this.#scene.add(view.mesh);
     }
     this.#stage.setModel(this.#view && { space: this.#view.space, places: this.#view.places() });
-    this.#hair.setModel(this.#view);
+    this.#layers.setModel(this.#view);
     this.setRegions([]);
-    this.setMarkers([]);
-    this.setLoops([]);
     this.setHeat(null);
     this.setBrush(null);
     this.setGizmo(null);
@@ -175,23 +158,13 @@ export class Viewport implements ViewportPort {
   settlePositions(): void {
     this.#picker?.settle();
     this.#stage.shapeChanged();
-    this.#hair.lightChanged();
+    this.#layers.modelSettled();
     this.#redraw();
   }
 
   setRegions(regions: readonly RegionPaint[]): void {
     this.#regions = regions;
     this.#materials.setChannels(this.#view?.setRegions(regions) ?? [], this.#palette);
-    this.#redraw();
-  }
-
-  setMarkers(markers: readonly PointMarker[]): void {
-    this.#markers.set(markers, this.#space);
-    this.#redraw();
-  }
-
-  setLoops(loops: readonly LoopLine[]): void {
-    this.#loops.set(loops, this.#space);
     this.#redraw();
   }
 
@@ -210,7 +183,7 @@ export class Viewport implements ViewportPort {
       this.#view.mesh.material = this.#materials.of(options, sideOf(this.#view));
       this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
     }
-    for (const part of [this.#stage, this.#markers, this.#loops, this.#gizmo, this.#widget]) {
+    for (const part of [this.#stage, this.#layers, this.#gizmo, this.#widget]) {
       part.setPalette(palette);
     }
     this.#stage.showGrid(options.grid);
@@ -219,62 +192,7 @@ export class Viewport implements ViewportPort {
   }
 
   setBrush(brush: { readonly hit: Hit; readonly radius: number; readonly erase: boolean } | null): void {
-    const { brushCentre, brushNormal, brushSide, brushRadius, brushDashed } = this.#materials.uniforms;
-    if (!brush && brushRadius.value === 0) return;
-    brushRadius.value = brush ? brush.radius * this.#space.scale : 0;
-    if (brush) {
-      this.#space.toView(brush.hit.point, brushCentre.value);
-      const normal = this.#space.directionToView(brush.hit.normal, brushNormal.value);
-      const apart = Math.abs(normal.y) < 0.9 ? new Vector3(0, 1, 0) : new Vector3(1, 0, 0);
-      brushSide.value.crossVectors(apart, normal).normalize();
-      brushDashed.value = brush.erase;
-      this.#materials.setBrushColour(brush.erase ? BRUSH_ERASES : BRUSH_ADDS);
-    }
-    this.#redraw();
-  }
-
-  setHair(strands: Strands | null): void {
-    this.#hair.setHair(strands);
-    this.#hairChanged();
-  }
-
-  setHairOptions(options: Partial<HairOptions>): void {
-    this.#hair.setOptions(options);
-    this.#hairChanged();
-  }
-
-  setStrandShare(share: number | null): void {
-    this.#hair.setShare(share);
-    this.#redraw();
-  }
-
-  setCurves(curves: readonly StyleCurve[]): void {
-    this.#hair.setCurves(curves);
-    this.#redraw();
-  }
-
-  pickCurve(x: number, y: number): CurveHit | null {
-    return this.#hair.pickCurve(x, y, (place) => this.#onScreen(place));
-  }
-
-  setField(field: FieldSample | null): void {
-    this.#hair.setField(field);
-    this.#redraw();
-  }
-
-  setConstraints(constraints: FieldSample | null): void {
-    this.#hair.setConstraints(constraints);
-    this.#redraw();
-  }
-
-  setVolume(box: Box | null): void {
-    this.#hair.setVolume(box);
-    this.#redraw();
-  }
-
-  setSupport(surface: SupportSurface | null): void {
-    this.#hair.setSupport(surface);
-    this.#redraw();
+    if (this.#materials.setBrush(brush, this.#space)) this.#redraw();
   }
 
   setGizmo(gizmo: GizmoState | null, events?: GizmoEvents): void {
@@ -282,16 +200,12 @@ export class Viewport implements ViewportPort {
     this.#redraw();
   }
 
-  get gizmoBusy(): boolean {
-    return this.#gizmo.busy;
+  mount<P>(kind: LayerKind<P>): Mounted<P> {
+    return this.#layers.mount(kind);
   }
 
   pick(x: number, y: number): Hit | null {
     return this.#picker?.pick(this.#rig.ray(x, y)) ?? null;
-  }
-
-  pickMarker(x: number, y: number): string | null {
-    return this.#markers.pick(x, y, MARKER_REACH, this.#space, (place) => this.#onScreen(place));
   }
 
   verticesWithin(hit: Hit, radius: number): Uint32Array {
@@ -317,7 +231,7 @@ export class Viewport implements ViewportPort {
 
   fit(vertices?: Uint32Array): void {
     const places = this.#view?.places(vertices) ?? [];
-    this.#rig.frame(vertices ? places : [...places, ...this.#hair.places()]);
+    this.#rig.frame(vertices ? places : [...places, ...this.#layers.extent()]);
     this.#redraw();
   }
 
@@ -346,11 +260,6 @@ export class Viewport implements ViewportPort {
     this.#input.handler = handler;
   }
 
-  /** How trackpads and palms are understood; the defaults suit a mouse and a pen. */
-  setNavigation(options: Partial<NavigationOptions>): void {
-    this.#input.navigation = { ...this.#input.navigation, ...options };
-  }
-
   onDraw(listener: () => void): () => void {
     this.#drawn.add(listener);
     return () => this.#drawn.delete(listener);
@@ -360,40 +269,18 @@ export class Viewport implements ViewportPort {
     return this.#loop.rate;
   }
 
-  async screenshot(width: number, height: number, options: PictureOptions = {}): Promise<Blob> {
-    const { samples: wanted = this.options.test ? 1 : SCREENSHOT_SAMPLES, onProgress, signal } = options;
-    const { patience = Infinity } = options;
-    const samples = StillPicture.possible(this.#renderer) ? wanted : 1;
-    const copy = document.createElement('canvas');
-    Object.assign(copy, { width, height });
-    const still = new StillPicture();
-    const begun = performance.now();
-    let [stirs, taken, done] = [this.#stirs, 0, false];
-    try {
-      while (!done) {
-        signal?.throwIfAborted();
-        // What has been drawn so far was another picture.
-        if (stirs !== this.#stirs) {
-          still.restart();
-          [stirs, taken] = [this.#stirs, 0];
-        }
-        this.#drawAside(width, height, () => {
-          if (samples > 1) still.take(this.#renderer, this.#rig.camera, (frame) => this.#render(frame));
-          else this.#render(1);
-          taken++;
-          done = taken >= samples || (taken >= FEWEST && performance.now() - begun > patience);
-          if (done) copy.getContext('2d')?.drawImage(this.canvas, 0, 0);
-        });
-        onProgress?.(taken / samples);
-        if (!done) await breath();
-      }
-    } finally {
-      still.dispose();
-    }
-    const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
-    if (!blob)
-      throw new LissomError('screenshot-failed', 'The picture could not be made. Try a smaller size.');
-    return blob;
+  screenshot(width: number, height: number, options: PictureOptions = {}): Promise<Blob> {
+    return keptPicture(
+      {
+        renderer: this.#renderer,
+        camera: () => this.#rig.camera,
+        state: () => this.#stirs,
+        drawAside: (draw) => this.#drawAside(width, height, draw),
+        render: (frame) => this.#render(frame),
+      },
+      { width, height },
+      { ...(this.options.test && { samples: 1 }), ...options },
+    );
   }
 
   get size(): { readonly width: number; readonly height: number } {
@@ -410,9 +297,7 @@ export class Viewport implements ViewportPort {
     for (const part of [
       this.#gizmo,
       this.#widget,
-      this.#markers,
-      this.#loops,
-      this.#hair,
+      this.#layers,
       this.#stage,
       this.#materials,
       this.#renderer,
@@ -422,7 +307,7 @@ export class Viewport implements ViewportPort {
   }
 
   get #space(): ViewSpace {
-    return this.#hair.space;
+    return this.#layers.space;
   }
 
   get #palette(): Palette {
@@ -484,9 +369,7 @@ export class Viewport implements ViewportPort {
     this.#renderer.setPixelRatio(pixelRatio);
     this.#renderer.setSize(width, height, false);
     this.#materials.uniforms.pixelRatio.value = pixelRatio;
-    this.#markers.setPixelRatio(pixelRatio);
-    this.#loops.setSize(width, height, pixelRatio);
-    this.#hair.setSize(width, height, pixelRatio);
+    this.#layers.resize(width, height, pixelRatio);
     this.#rig.resize(width, height);
   }
 
@@ -500,20 +383,20 @@ export class Viewport implements ViewportPort {
     const brush = brushRadius.value;
     brushRadius.value = 0;
     this.#gizmo.visible = false;
-    this.#hair.setKept(true);
+    this.#layers.setKept(true);
     this.#size(width, height, 1);
     this.#stage.prepare(this.#view?.geometry);
     draw();
     brushRadius.value = brush;
     this.#gizmo.visible = true;
-    this.#hair.setKept(false);
+    this.#layers.setKept(false);
     this.#size(w, h, this.#pixelRatio);
     if (!this.#rest.drawAgain()) this.#draw();
   }
 
   #restore(): void {
     this.#stage.restore();
-    this.#hair.lightChanged();
+    this.#layers.restore();
     this.#redraw();
   }
 
@@ -528,14 +411,9 @@ export class Viewport implements ViewportPort {
     if (moving) {
       this.#stirs++;
       this.#rest.stirred();
-      this.#hair.paced(elapsed);
+      this.#layers.paced(elapsed);
     }
     return moving;
-  }
-
-  #hairChanged(): void {
-    this.#materials.setHair(this.#hair.shadowUniforms);
-    this.#redraw();
   }
 
   #draw(): void {
@@ -546,7 +424,7 @@ export class Viewport implements ViewportPort {
     if (this.#rest.due) this.#rest.draw(camera, (frame) => this.#render(frame));
     else {
       this.#render(0);
-      if (this.#hair.shown && !this.options.test) this.#rest.wait();
+      if (this.#layers.refine && !this.options.test) this.#rest.wait();
     }
     this.#widget.update(camera, this.#space);
     for (const listener of this.#drawn) listener();
@@ -555,35 +433,10 @@ export class Viewport implements ViewportPort {
   /** @param frame  number of a picture at rest, from 1; 0: a moving one */
   #render(frame: number): void {
     this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
-    this.#hair.prepare(this.#rig.camera, frame);
+    this.#layers.prepare(this.#rig.camera, frame);
+    this.#materials.setShades(this.#layers.shades);
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
-}
-
-/** Lets the page and the graphics card catch up. */
-const breath = (): Promise<unknown> =>
-  Promise.race([new Promise(requestAnimationFrame), new Promise((rested) => setTimeout(rested, UNSEEN))]);
-
-function rendererFor(canvas: HTMLCanvasElement, options: ViewportOptions): WebGLRenderer {
-  let renderer: WebGLRenderer;
-  try {
-    renderer = new WebGLRenderer({
-      canvas,
-      antialias: !options.test,
-      powerPreference: 'high-performance',
-    });
-  } catch {
-    throw new LissomError(
-      'webgl-missing',
-      'This browser offers no WebGL 2. Switch hardware acceleration on in its settings, or use another browser.',
-      'crash',
-    );
-  }
-  renderer.toneMapping = ACESFilmicToneMapping;
-  renderer.shadowMap.enabled = true;
-  renderer.shadowMap.autoUpdate = false;
-  renderer.shadowMap.type = PCFShadowMap;
-  return renderer;
 }
 
 /** Closed surfaces show one side: at their outline the far side would flicker through the near one. */

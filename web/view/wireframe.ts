@@ -12,7 +12,7 @@ export class Wireframe {
 
   constructor(view: ModelView) {
     const { positions, faceOffsets, faceVertices } = view.model;
-    // Towards the eye by a hair, so that lines win over the surface they lie on.
+    // Towards the eye by a trifle, so that lines win over the surface they lie on.
     this.#material.onBeforeCompile = (shader) => {
       shader.vertexShader = shader.vertexShader.replace(
         '#include <project_vertex>',

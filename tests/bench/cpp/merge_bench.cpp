@@ -6,8 +6,8 @@
 #include "options.h"
 
 #include "lissom/merge/ring_cycle.h"
-#include "lissom/merge/surface_paths.h"
 #include "lissom/mesh/stopwatch.h"
+#include "lissom/mesh/surface_paths.h"
 
 #include <cmath>
 #include <cstdio>

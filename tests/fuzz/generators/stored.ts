@@ -42,7 +42,7 @@ const stored: Generator = {
     try {
       const restored = await tab.app.autosave.restoreLast();
       await tab.app.evaluator.settled();
-      if (restored && tab.app.document.step) {
+      if (restored && tab.deform.step) {
         await tab.addHandle([2], 'Again');
         await tab.app.autosave.flush();
         must(tab.app.state.saved.value.kind !== 'failed', `${JSON.stringify(tab.app.state.saved.value)}`);

@@ -14,7 +14,7 @@ import {
   viewpointOf,
 } from '../../../web/tools/stroke/support';
 import type { Tool } from '../../../web/tools/tool';
-import type { CurveHit } from '../../../web/view/hair/types';
+import type { CurveHit } from '../../../web/view/overlays/types';
 import type { CameraState, Hit, PointerSample, Vec3 } from '../../../web/view/types';
 
 export const RADIUS = 100;
@@ -62,9 +62,10 @@ export class Chair implements HairHost {
         const [across, up] = [x - MIDDLE, MIDDLE - y];
         return this.side === 'front' ? [across, up, tz] : [tx, up, -across];
       },
-      pickCurve: (x, y) => this.#pickCurve(x, y),
     };
   }
+
+  readonly curves: HairHost['curves'] = { pickCurve: (x, y) => this.#pickCurve(x, y) };
 
   scene(): HairScene {
     const { step, selected, mirror } = this;

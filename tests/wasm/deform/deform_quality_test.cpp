@@ -15,8 +15,7 @@ using namespace handles;
 
 namespace {
 
-/// The bar of 2,050 vertices, eight times as long as wide, its two end faces the handles.
-TriangleMesh bar() { return shapes::box(8, 60, 8, {1, 8, 1}); }
+using shapes::bar; // its two end faces are the handles
 std::vector<DeformHandle> end_faces() { return two_ends(bar().points, 1e-3); }
 
 /// Bends what stands along y between two heights about the z axis: the upper end follows a circular arc as

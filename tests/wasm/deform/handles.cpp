@@ -3,6 +3,8 @@
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/topology.h"
 
+#include <Eigen/SparseCholesky>
+
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -70,6 +72,26 @@ double gap(const Points& a, const Points& b) {
 void factor(DeformSession& session) {
     while (session.step()) {
     }
+}
+
+Held::Held(const TriangleMesh& mesh, const std::vector<DeformHandle>& handles) : working(shapes::working(mesh)) {
+    std::vector<lissom::Finding> warnings;
+    region = lissom::hold_region(working, lissom::assign_roles(working, everything(mesh.points), handles), static_cast<int>(handles.size()), warnings);
+    laplacian = lissom::cotangent_laplacian(region.mesh);
+    areas = lissom::vertex_areas(region.mesh);
+}
+
+lissom::Columns Held::parameters(const std::vector<Affine3d>& maps) const {
+    lissom::Columns w = lissom::Columns::Zero(region.columns() - region.unknowns, 3);
+    for (std::size_t h = 0; h < maps.size(); ++h) {
+        w.block<3, 3>(4 * static_cast<Eigen::Index>(h), 0) = (maps[h].linear() - Eigen::Matrix3d::Identity()).transpose();
+        w.row(4 * static_cast<Eigen::Index>(h) + 3) = maps[h].translation().transpose();
+    }
+    return w;
+}
+
+Points Held::solved(const lissom::SparseMatrix& A, const Points& b) {
+    return Eigen::SimplicialLLT<lissom::SparseMatrix>(A).solve(Eigen::MatrixXd(b));
 }
 
 DeformResult deform(const TriangleMesh& mesh, const std::vector<DeformHandle>& handles, const std::vector<Affine3d>& targets,

@@ -4,7 +4,8 @@
 
 #include "shapes.h"
 
-#include "lissom/deform/deform_session.h"
+#include "lissom/deform/held_region.h"
+#include "lissom/solve/sparse_cholesky.h"
 
 #include <Eigen/Geometry>
 
@@ -49,6 +50,20 @@ struct Named {
 [[nodiscard]] DeformResult deform(const TriangleMesh& mesh, const std::vector<DeformHandle>& handles,
                                   const std::vector<Affine3d>& targets, const DeformOptions& options = {});
 void factor(DeformSession& session);
+
+/// What a session builds its systems of: all of a mesh free but for its handles.
+struct Held {
+    lissom::WorkingMesh working;
+    lissom::HeldRegion region;
+    lissom::SparseMatrix laplacian;
+    Eigen::VectorXd areas;
+
+    Held(const TriangleMesh& mesh, const std::vector<DeformHandle>& handles);
+    /// Handle parameters W − I of maps in working space, poses at rest.
+    [[nodiscard]] lissom::Columns parameters(const std::vector<Affine3d>& maps) const;
+    /// Unknowns of A u = b, A given by its lower triangle; by a method of its own.
+    [[nodiscard]] static Points solved(const lissom::SparseMatrix& A, const Points& b);
+};
 
 /// √mean((l/l₀ − 1)²) over the edges.
 [[nodiscard]] double edge_rms(const TriangleMesh& rest, const Points& moved);

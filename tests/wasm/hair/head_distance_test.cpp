@@ -46,16 +46,6 @@ TEST_CASE("an open neck is closed before inside is asked for") {
     CHECK(distance.at(Vector3d(0, 1.2, 0)) > 0.15);
 }
 
-TEST_CASE("the nearest point of a triangle is nearer than any other of a fine sampling") {
-    const Vector3d a(0, 0, 0), b(1, 0.2, 0), c(0.3, 0.9, 0.4);
-    for (int i = 0; i < 300; ++i) {
-        const Vector3d p = 2 * Vector3d(std::sin(i * 1.3), std::cos(i * 2.1), std::sin(i * 0.7 + 1));
-        const double nearest = (p - nearest_on_triangle(p, a, b, c).point).norm();
-        for (double u = 0; u <= 1; u += 0.1)
-            for (double v = 0; u + v <= 1; v += 0.1) CHECK(nearest <= (p - (a + u * (b - a) + v * (c - a))).norm() + 1e-12);
-    }
-}
-
 TEST_CASE("a head without area is refused") {
     TriangleMesh flat;
     flat.points = Points::Zero(3, 3);

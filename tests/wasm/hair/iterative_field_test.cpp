@@ -1,26 +1,12 @@
 #include "lissom/hair/iterative_field.h"
 
+#include "hair/fields.h"
 #include "lissom/hair/dual_field.h"
-#include "lissom/hair/strand_hash.h"
 
 #include <doctest/doctest.h>
 
 using namespace lissom;
-
-namespace {
-
-std::vector<FieldConstraint> some_constraints(int nodes, int count, std::uint64_t seed) {
-    std::vector<FieldConstraint> out;
-    std::vector<char> taken(static_cast<std::size_t>(nodes), 0);
-    for (std::uint64_t i = 0; static_cast<int>(out.size()) < count; ++i) {
-        const int node = static_cast<int>(chance(seed, i, 0) * nodes);
-        if (taken[static_cast<std::size_t>(node)]++) continue;
-        out.push_back({node, {chance(seed, i, 1) - 0.5, chance(seed, i, 2) - 0.5, chance(seed, i, 3) - 0.5}});
-    }
-    return out;
-}
-
-} // namespace
+using fields::some_constraints;
 
 TEST_CASE("conjugate gradients and the dual's factor find the same field") {
     const auto K = std::make_shared<GridBilaplacian>(Eigen::Vector3i(14, 18, 11));

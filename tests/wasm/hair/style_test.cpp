@@ -23,19 +23,6 @@ Polyline line(const Vector3d& a, const Vector3d& b, int n = 20) {
 
 } // namespace
 
-TEST_CASE("a line resampled keeps its ends and has segments of one length") {
-    const Polyline bent{{0, 0, 0}, {0.3, 0, 0}, {0.3, 2, 0}, {0.3, 2, 0}, {1, 2, 0}};
-    const Polyline even = resampled(bent, 0.25);
-    CHECK(even.size() == 13);
-    CHECK(even.front() == bent.front());
-    CHECK(even.back() == bent.back());
-    double total = 0;
-    for (std::size_t i = 1; i < even.size(); ++i) total += (even[i] - even[i - 1]).norm();
-    CHECK(total == doctest::Approx(3).epsilon(0.05));
-    CHECK(resampled({{1, 1, 1}, {1, 1, 1}}, 0.1).empty());
-    CHECK(resampled({}, 0.1).empty());
-}
-
 TEST_CASE("a stream asks for its own direction, and a fading one dies away beyond its end") {
     const Ball ball;
     HairStyle style;
@@ -48,6 +35,20 @@ TEST_CASE("a stream asks for its own direction, and a fading one dies away beyon
     CHECK(fading.size() > plain.size());
     for (const auto& c : fading)
         if (ball.grid.position(c.node).x() > 1.5) CHECK(c.vector.norm() < 0.3);
+}
+
+TEST_CASE("streams that contradict each other at one place ask for nothing there, and for each node once") {
+    const Ball ball;
+    HairStyle style;
+    style.streams.push_back({line({0, 1.2, 0}, {1, 1.2, 0}), false});
+    const auto one = style_constraints(style, ball.head, ball.grid);
+    style.streams.push_back({line({1, 1.2, 0}, {0, 1.2, 0}), false});
+    const auto both = style_constraints(style, ball.head, ball.grid);
+    REQUIRE(both.size() == one.size());
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        CHECK(both[i].node == one[i].node);
+        CHECK(both[i].vector.norm() < 1e-9);
+    }
 }
 
 TEST_CASE("on the two sides of a parting hair goes two ways, and the field keeps them apart") {

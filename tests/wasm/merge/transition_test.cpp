@@ -1,9 +1,10 @@
 // Overlapped transition regions (Fu 3.3.3), configuration-dependent merging (Fu 3.3.2), and what is refused.
 
+#include "lissom/merge/transition.h"
+
+#include "refusal.h"
 #include "tubes.h"
 
-#include "lissom/merge/transition.h"
-#include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/topology.h"
 
@@ -62,14 +63,11 @@ double ribs(const TriangleMesh& mesh, const std::vector<int>& ring) {
     return 2 * std::hypot(c, s) / mean;
 }
 
-std::string refusal(const TriangleMesh& s, const TriangleMesh& t, const MergeBoundary& boundary, const MergeKeys& keys, MergeOptions options = {}) {
-    try {
+std::string code(const TriangleMesh& s, const TriangleMesh& t, const MergeBoundary& boundary, const MergeKeys& keys, MergeOptions options = {}) {
+    return refusal([&] {
         const WorkingMesh source = shapes::working(s), target = shapes::working(t);
         (void)merged(source, target, {boundary}, {keys}, options);
-    } catch (const InvalidInput& error) {
-        return error.code();
-    }
-    return "none";
+    });
 }
 
 } // namespace
@@ -252,22 +250,22 @@ TEST_CASE("a loop of three vertices is refined to meet one of three hundred") {
 TEST_CASE("what cannot be merged is refused with what is wrong") {
     const TriangleMesh s = tube(24, 20, dome), t = tube(24, 31, bowl, false), ring = shapes::torus(40, 20), fin = shapes::with_fin(tube(24, 20, dome));
     const MergeKeys key{{0, 0}};
-    CHECK(refusal(s, t, tube_loops(20, 31), key) == "none");
-    CHECK(refusal(s, t, {{{0, 1}, {}}, {first(31), {}}}, key) == "loop-too-short");
-    CHECK(refusal(s, t, {{{0, 1, 2, 22, 21, 1, 20}, {}}, {first(31), {}}}, key) == "loop-touches-itself");
-    CHECK(refusal(s, t, {{{0, 5, 10}, {}}, {first(31), {}}}, key) == "loop-not-connected");
-    CHECK(refusal(s, t, {{{0, 1, 9999}, {}}, {first(31), {}}}, key) == "vertex-out-of-range");
-    CHECK(refusal(s, t, tube_loops(20, 31), {{0, 0}, {5, 8}, {10, 22}, {15, 15}}) == "keys-out-of-order");
-    CHECK(refusal(s, t, tube_loops(20, 31), {{0, 0}, {5, 0}}) == "key-repeated");
-    CHECK(refusal(s, t, tube_loops(20, 31), {{40, 0}}) == "key-not-on-boundary");
+    CHECK(code(s, t, tube_loops(20, 31), key) == "none");
+    CHECK(code(s, t, {{{0, 1}, {}}, {first(31), {}}}, key) == "loop-too-short");
+    CHECK(code(s, t, {{{0, 1, 2, 22, 21, 1, 20}, {}}, {first(31), {}}}, key) == "loop-touches-itself");
+    CHECK(code(s, t, {{{0, 5, 10}, {}}, {first(31), {}}}, key) == "loop-not-connected");
+    CHECK(code(s, t, {{{0, 1, 9999}, {}}, {first(31), {}}}, key) == "vertex-out-of-range");
+    CHECK(code(s, t, tube_loops(20, 31), {{0, 0}, {5, 8}, {10, 22}, {15, 15}}) == "keys-out-of-order");
+    CHECK(code(s, t, tube_loops(20, 31), {{0, 0}, {5, 0}}) == "key-repeated");
+    CHECK(code(s, t, tube_loops(20, 31), {{40, 0}}) == "key-not-on-boundary");
     std::vector<int> around; // a meridian of the torus: cutting there parts nothing
     for (int j = 0; j < 20; ++j) around.push_back(j);
-    CHECK(refusal(ring, t, {{around, {}}, {first(31), {}}}, key) == "loop-not-separating");
-    CHECK(refusal(fin, t, tube_loops(20, 31), key) != "");
-    CHECK(refusal(s, t, tube_loops(20, 31), key, {.transition = Transition{50, 0.5}}) == "transition-not-a-ring");
-    CHECK(refusal(s, t, tube_loops(20, 31), key, {.transition = Transition{-1, 0.5}}) == "bad-option");
+    CHECK(code(ring, t, {{around, {}}, {first(31), {}}}, key) == "loop-not-separating");
+    CHECK(code(fin, t, tube_loops(20, 31), key) == "loop-touches-boundary");
+    CHECK(code(s, t, tube_loops(20, 31), key, {.transition = Transition{50, 0.5}}) == "transition-not-a-ring");
+    CHECK(code(s, t, tube_loops(20, 31), key, {.transition = Transition{-1, 0.5}}) == "bad-option");
     // Loops given in either direction come to the same.
     std::vector<int> backwards = first(20);
     std::reverse(backwards.begin(), backwards.end());
-    CHECK(refusal(s, t, {{backwards, {}}, {first(31), {}}}, key) == "none");
+    CHECK(code(s, t, {{backwards, {}}, {first(31), {}}}, key) == "none");
 }

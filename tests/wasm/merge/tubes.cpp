@@ -1,5 +1,11 @@
 #include "tubes.h"
 
+#include "lissom/merge/loop_frames.h"
+#include "lissom/mesh/operators.h"
+#include "lissom/mesh/topology.h"
+
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -43,6 +49,34 @@ std::vector<int> first(int count) {
     std::vector<int> list;
     for (int i = 0; i < count; ++i) list.push_back(i);
     return list;
+}
+
+std::vector<int> within(const TriangleMesh& mesh, double low, double high) {
+    std::vector<int> list;
+    for (int v = 0; v < mesh.vertex_count(); ++v)
+        if (mesh.points(v, 1) >= low && mesh.points(v, 1) <= high) list.push_back(v);
+    return list;
+}
+
+Stitched stitched(int n, int m) {
+    const std::vector<lissom::BoundaryLoop> of_source{{first(n), {}}}, of_target{{first(m), {}}};
+    Stitched out{lissom::cut_part(tube(12, m, bowl, false), of_target, "target"), lissom::cut_part(tube(12, n, dome), of_source, "source"), {}, {}};
+    const TriangleMesh &target = out.target.mesh, &source = out.source.mesh;
+    const std::vector<std::pair<int, int>> keys{{0, 0}};
+    out.match = lissom::match_loops(source.points, out.source.loops[0], target.points, out.target.loops[0], keys);
+    const lissom::LoopImage image = lissom::image_of_loop(out.match, source.points, lissom::vertex_normals(source), target.points, lissom::vertex_normals(target));
+    lissom::Points positions = 1.4 * source.points; // about as wide as the bowl
+    for (std::size_t i = 0; i < out.match.source.size(); ++i) positions.row(out.match.source[i]) = image.positions.row(static_cast<Eigen::Index>(i));
+    out.joined = lissom::stitch(out.target, out.source, false, positions, std::span(&out.match, 1));
+    return out;
+}
+
+void check_closed(const TriangleMesh& mesh, int euler) {
+    CHECK(lissom::euler_characteristic(mesh) == euler);
+    CHECK(lissom::non_manifold_vertices(mesh).empty());
+    int apart = 0;
+    for (const lissom::Edge& e : lissom::edges(mesh)) apart += e.forward != 1 || e.backward != 1;
+    CHECK(apart == 0);
 }
 
 lissom::MergeResult merged(const lissom::WorkingMesh& source, const lissom::WorkingMesh& target, const std::vector<lissom::MergeBoundary>& boundaries,

@@ -3,6 +3,7 @@
 // Open shapes to be merged, by formula: tubes closed at one end, with an open loop of vertices 0 … m−1.
 
 #include "lissom/merge/merge_session.h"
+#include "lissom/merge/stitch.h"
 #include "shapes.h"
 
 #include <functional>
@@ -21,6 +22,20 @@ using Profile = std::function<Eigen::Vector3d(double along, double around)>; ///
 [[nodiscard]] Eigen::Vector3d bowl(double s, double t);
 
 [[nodiscard]] std::vector<int> first(int count);
+
+/// Vertices whose height (y) lies between two.
+[[nodiscard]] std::vector<int> within(const lissom::TriangleMesh& mesh, double low, double high);
+
+/// The tube of `dome` with a loop of `n`, stitched onto one of `bowl` with a loop of `m`, its loop laid on the other's.
+struct Stitched {
+    lissom::Part target, source;
+    lissom::LoopMatch match;
+    lissom::JoinedMesh joined;
+};
+[[nodiscard]] Stitched stitched(int n, int m);
+
+/// Checks that a surface is closed, manifold and agrees with itself across every edge.
+void check_closed(const lissom::TriangleMesh& mesh, int euler);
 
 /// Runs a session to its end and merges.
 [[nodiscard]] lissom::MergeResult merged(const lissom::WorkingMesh& source, const lissom::WorkingMesh& target,

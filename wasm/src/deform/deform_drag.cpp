@@ -1,7 +1,7 @@
 #include "deform_state.h"
 
-#include "lissom/deform/polar.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/polar.h"
 
 #include <cmath>
 #include <numbers>

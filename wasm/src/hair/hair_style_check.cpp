@@ -1,3 +1,4 @@
+#include "demand.h"
 #include "hair_state.h"
 
 #include "lissom/mesh/errors.h"
@@ -25,10 +26,6 @@ public:
     }
     std::vector<Finding> list;
 };
-
-void demand(bool holds, const char* what) {
-    if (!holds) throw InvalidInput("bad-option", what);
-}
 
 } // namespace
 

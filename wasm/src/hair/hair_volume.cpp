@@ -13,6 +13,8 @@ using Eigen::Vector3i;
 
 namespace {
 
+// A scalp is about three quarters of a head's height; a body is many scalps high.
+constexpr double k_head_in_scalps = 1.35, k_most_scalps = 2.5;
 constexpr int k_distance_nodes = 112;  // of the distance grid, longest side
 constexpr double k_margin = 0.12;      // of the distance grid round the head, in head heights
 constexpr double k_aside = 0.45, k_above = 0.25, k_below = 0.8; // of the field's grid, in head heights
@@ -75,9 +77,8 @@ HairVolume hair_volume(const TriangleMesh& mesh, std::span<const int> scalp, int
 
     HairVolume out;
     out.up = up_axis;
-    // A scalp is about three quarters of a head's height; a body is many scalps high.
-    const bool is_head = all.extent()[up] <= 2.5 * scalp_size;
-    out.head_height = is_head ? all.extent()[up] : 1.35 * scalp_size;
+    const bool is_head = all.extent()[up] <= k_most_scalps * scalp_size;
+    out.head_height = is_head ? all.extent()[up] : k_head_in_scalps * scalp_size;
     const double h = out.head_height;
 
     Box reach = all; // of the mesh that matters

@@ -1,8 +1,9 @@
 #include "lissom/hair/head_distance.h"
 
+#include "lissom/mesh/capped.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/nearest_on_triangle.h"
 #include "lissom/mesh/operators.h"
-#include "lissom/mesh/topology.h"
 
 #include <algorithm>
 #include <cmath>
@@ -151,26 +152,6 @@ void sweep(std::vector<float>& samples, const std::vector<char>& known, const Gr
 }
 
 } // namespace
-
-TriangleMesh capped(const TriangleMesh& mesh) {
-    const auto loops = boundary_loops(mesh);
-    TriangleMesh out = mesh;
-    Eigen::Index extra = 0;
-    for (const auto& loop : loops) extra += static_cast<Eigen::Index>(loop.size());
-    out.points.conservativeResize(mesh.points.rows() + static_cast<Eigen::Index>(loops.size()), 3);
-    out.triangles.conservativeResize(mesh.triangles.rows() + extra, 3);
-    Eigen::Index t = mesh.triangles.rows();
-    for (std::size_t l = 0; l < loops.size(); ++l) {
-        const auto& loop = loops[l];
-        const int centre = mesh.vertex_count() + static_cast<int>(l);
-        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
-        for (const int v : loop) sum += mesh.points.row(v);
-        out.points.row(centre) = sum / static_cast<double>(loop.size());
-        for (std::size_t k = 0; k < loop.size(); ++k)
-            out.triangles.row(t++) << loop[(k + 1) % loop.size()], loop[k], centre;
-    }
-    return out;
-}
 
 HeadDistance::HeadDistance(const TriangleMesh& head, const Grid& grid) : grid_(grid) {
     if (head.triangle_count() == 0 || triangle_areas(head).sum() <= 0)

@@ -1,7 +1,9 @@
 #include "lissom/hair/strand_detail.h"
 
+#include "demand.h"
+#include "smooth.h"
+
 #include "lissom/hair/strand_hash.h"
-#include "lissom/mesh/errors.h"
 
 #include <Eigen/Geometry>
 
@@ -24,13 +26,8 @@ constexpr double k_radius_least = 0.7, k_radius_of_clump = 0.4, k_radius_own = 0
 constexpr double k_radius_most = k_radius_least + k_radius_of_clump + k_radius_own;
 constexpr double k_frizz_size = 0.014, k_frizz_length = 0.05, k_frizz_rise = 0.12;
 constexpr double k_flyaway_size = 0.045, k_flyaway_length = 0.3;
-constexpr double k_clearance = 0.003, k_apart = 0.12;
+constexpr double k_apart = 0.12;
 constexpr double k_large_share = 0.45; // of the clumping that the large clumps do
-
-double smooth(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// Smooth noise of one variable in [-1, 1]³: random vectors at whole numbers, eased between.
 Vector3d noise(double t, std::uint64_t seed, std::uint64_t strand, std::uint64_t purpose) {
@@ -58,9 +55,8 @@ StrandDetail::StrandDetail(const HairVolume& volume, const HeadDistance& head, c
     : volume_(volume), head_(head), partings_(partings), ties_(ties), options_(options), seed_(seed),
       company_(std::move(guide_strands), volume.head_height) {
     for (const double share : {options.clump, options.curl, options.frizz, options.flyaways})
-        if (!(share >= 0 && share <= 1)) throw InvalidInput("bad-option", "Clump, curl, frizz and flyaways go from 0 to 1.");
-    if (options.curl_length && !(*options.curl_length > 0))
-        throw InvalidInput("bad-option", "The length of a curl is a number above 0.");
+        demand(share >= 0 && share <= 1, "Clump, curl, frizz and flyaways go from 0 to 1.");
+    demand(!options.curl_length || *options.curl_length > 0, "The length of a curl is a number above 0.");
 
     const std::vector<Strand>& guides = company_.guides();
     large_.assign(guides.size(), -1);
@@ -149,7 +145,7 @@ int StrandDetail::apply(Strand& strand, std::uint64_t index) const {
         Vector3d& p = strand.points[k];
         const bool guarded = walked < StrandGrowth::parting_reach * h;
         if (guarded) p = partings_.kept(p, strand.sides);
-        p = StrandGrowth::lifted(head_, p, std::min(k_clearance * h, 0.5 * along));
+        p = StrandGrowth::lifted(head_, p, StrandGrowth::clearance_at(along, h));
         if (guarded) p = partings_.kept(p, strand.sides);
         walked += (p - strand.points[k - 1]).norm();
     }

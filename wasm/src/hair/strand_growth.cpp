@@ -1,7 +1,9 @@
 #include "lissom/hair/strand_growth.h"
 
+#include "demand.h"
+#include "smooth.h"
+
 #include "lissom/hair/strand_hash.h"
-#include "lissom/mesh/errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,11 +30,6 @@ constexpr double k_lock = 0.05;        // of the head height: hair that ends tog
 constexpr double k_fray = 0.6;         // how much of what is left of the variation is each strand's own
 constexpr std::uint64_t k_roots = 16; // places tried for a root that is not on a parting's line
 
-double smooth(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
-
 /// In [0, 1): the same for all roots of a lock, easing over to the next one's.
 double of_lock(const Vector3d& root, double size, std::uint64_t seed) {
     const Vector3d q = root / size, low = q.array().floor();
@@ -49,10 +46,6 @@ double of_lock(const Vector3d& root, double size, std::uint64_t seed) {
         sum += weight * chance(seed, number, in_lock);
     }
     return sum;
-}
-
-void demand(bool holds, const char* what) {
-    if (!holds) throw InvalidInput("bad-option", what);
 }
 
 } // namespace
@@ -98,6 +91,8 @@ double StrandGrowth::length_of(const Root& root, std::uint64_t index) const {
     return length_ * std::max(0.0, painted) * (1 - options_.length_variation * u * u);
 }
 
+double StrandGrowth::clearance_at(double along, double head_height) { return std::min(k_clearance * head_height, 0.5 * along); }
+
 Vector3d StrandGrowth::lifted(const HeadDistance& head, const Vector3d& p, double clearance) {
     Vector3d q = p;
     for (int round = 0; round < 12; ++round) {
@@ -117,7 +112,6 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
     const bool beside_parting = std::any_of(strand.sides.begin(), strand.sides.end(), [](std::int8_t side) { return side != 0; });
     const double length = std::min(length_of(strand.root, index), segment_ * (max_points - 1));
     const double height = height_ * (0.2 + 0.8 * chance(options_.seed, index, in_layer));
-    const double clearance = k_clearance * h;
 
     Vector3d p = strand.root.position, before = strand.root.normal;
     strand.points.push_back(p);
@@ -159,7 +153,7 @@ Strand StrandGrowth::grow(std::uint64_t index) const {
         }
 
         Vector3d next = p + l * v;
-        next = lifted(head_, next, std::min(clearance, 0.5 * (walked + l)));
+        next = lifted(head_, next, clearance_at(walked + l, h));
         if (near_root) next = partings_.kept(next, strand.sides);
         if (!volume_.field.contains(next) || !next.allFinite()) break;
         before = v;

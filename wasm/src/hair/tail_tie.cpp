@@ -1,5 +1,7 @@
 #include "lissom/hair/tail_tie.h"
 
+#include "smooth.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +16,6 @@ constexpr double k_tight = 0.25;             // of the detail that is left up to
 constexpr double k_loosen = 5;               // radii beyond the tie over which detail comes back
 constexpr double k_by = 2.5;                 // radii around the tie in which hair is drawn in
 constexpr double k_fill = 0.95;              // of C1 that drawn hair fills
-
-double smooth(double t) {
-    t = std::clamp(t, 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-}
 
 /// Where a strand first crosses the section's plane along its axis, `within` of its centre; at −1: nowhere.
 struct Crossing {

@@ -1,7 +1,7 @@
 #include "lissom/merge/boundary_correspondence.h"
 
-#include "lissom/merge/similarity.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/similarity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "lissom/merge/loop_frames.h"
 
-#include "lissom/merge/similarity.h"
+#include "lissom/mesh/similarity.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,9 +2,9 @@
 
 #include "merge_state.h"
 
-#include "lissom/merge/facing.h"
-#include "lissom/merge/refine.h"
+#include "lissom/mesh/facing.h"
 #include "lissom/mesh/operators.h"
+#include "lissom/mesh/polyline.h"
 #include "lissom/mesh/topology.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 #include "merge_state.h"
 
 #include "lissom/merge/loop_frames.h"
-#include "lissom/merge/similarity.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
+#include "lissom/mesh/similarity.h"
 
 #include <algorithm>
 

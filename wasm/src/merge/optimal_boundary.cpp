@@ -1,10 +1,10 @@
 #include "lissom/merge/optimal_boundary.h"
 
-#include "lissom/deform/polar.h"
 #include "lissom/merge/ring_cycle.h"
-#include "lissom/merge/surface_paths.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
+#include "lissom/mesh/polar.h"
+#include "lissom/mesh/surface_paths.h"
 
 #include <algorithm>
 #include <cmath>

@@ -122,12 +122,6 @@ private:
 
 } // namespace
 
-double loop_length(const Points& points, const std::vector<int>& loop) {
-    double length = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) length += (points.row(loop[(i + 1) % loop.size()]) - points.row(loop[i])).norm();
-    return length;
-}
-
 int refine_loop(Part& part, int loop, double longest) {
     const std::vector<int>& vertices = part.loops[loop];
     bool needed = false;

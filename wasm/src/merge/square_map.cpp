@@ -1,8 +1,8 @@
 // A strip over the unit square: where each of its vertices comes to lie.
 
-#include "lissom/merge/surface_paths.h"
 #include "lissom/merge/transition.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/surface_paths.h"
 
 #include <algorithm>
 #include <utility>

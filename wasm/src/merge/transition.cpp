@@ -1,7 +1,7 @@
 #include "lissom/merge/transition.h"
 
-#include "lissom/merge/surface_paths.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/surface_paths.h"
 #include "lissom/mesh/topology.h"
 
 #include <algorithm>

@@ -1,8 +1,7 @@
 import type { Command } from '../commands';
-import { TOOLS } from '../state';
 import type { CommandContext } from './context';
 
-export const editCommands = ({ state, document, gestures }: CommandContext): Command[] => [
+export const editCommands = ({ state, document, gestures, wings }: CommandContext): Command[] => [
   {
     id: 'edit.undo',
     group: 'edit',
@@ -32,17 +31,15 @@ export const editCommands = ({ state, document, gestures }: CommandContext): Com
     keys: ['Escape'],
     hidden: true,
     run: () => {
-      if (state.hair.viewed.peek()) {
-        state.hair.viewed.value = null;
+      if (state.viewing.peek()) {
+        state.viewing.value = null;
         return;
       }
       if (gestures.cancel() || gestures.back()) return;
-      if (state.merge.picked.value) {
-        state.merge.picked.value = null;
-        return;
-      }
-      const [home] = TOOLS[state.workspace.value];
-      if (state.tool.value !== home) state.tool.value = home;
+      const wing = wings.open.peek()?.wing;
+      if (wing?.escape?.()) return;
+      const home = wing?.tools[0];
+      if (home !== undefined && state.tool.value !== home) state.tool.value = home;
       else document.select(null);
     },
   },

@@ -1,10 +1,9 @@
-import { toIndices } from '../../core/vertex-set';
 import type { DisplayOptions, ViewPreset } from '../../view/types';
 import type { Command } from '../commands';
 import type { MessageKey } from '../i18n';
 import type { CommandContext } from './context';
 
-export function viewCommands({ state, settings, viewport }: CommandContext): Command[] {
+export function viewCommands({ state, settings, viewport, wings }: CommandContext): Command[] {
   const group = 'view';
   const shown = () => viewport !== null && state.model.value !== null;
   const preset = (name: ViewPreset, keys: readonly string[] = []): Command => ({
@@ -42,10 +41,7 @@ export function viewCommands({ state, settings, viewport }: CommandContext): Com
       keys: ['F'],
       enabled: shown,
       run: () => {
-        const count = state.facts.peek()?.vertices ?? 0;
-        const { handle } = state.selection.peek();
-        const selected = handle === null ? undefined : state.step.peek()?.handles[handle];
-        viewport?.fit(selected ? toIndices(selected.vertices, count) : undefined);
+        viewport?.fit(wings.open.peek()?.wing.selected?.());
       },
     },
     preset('home', ['0']),
@@ -69,18 +65,6 @@ export function viewCommands({ state, settings, viewport }: CommandContext): Com
     toggle('wireframe', 'grid-3x3', ['Z']),
     toggle('smooth', 'circle'),
     toggle('grid', 'layers', ['G']),
-    {
-      id: 'view.heat',
-      group,
-      workspace: 'deform',
-      title: 'command.view.heat',
-      icon: 'thermometer',
-      keys: ['T'],
-      checked: () => state.heat.value,
-      run: () => {
-        state.heat.value = !state.heat.value;
-      },
-    },
     {
       id: 'view.theme',
       group,

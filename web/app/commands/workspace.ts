@@ -1,21 +1,14 @@
 import type { Command } from '../commands';
-import type { MessageKey } from '../i18n';
-import type { WorkspaceId } from '../state';
+import { WORKSPACES, wings } from '../wings';
 import type { CommandContext } from './context';
 
-export function workspaceCommands({ state, workspaces }: CommandContext): Command[] {
-  const enter = (id: WorkspaceId, key: string, icon: string): Command => ({
+export const workspaceCommands = ({ state, workspaces }: CommandContext): Command[] =>
+  WORKSPACES.map((id) => ({
     id: `workspace.${id}`,
     group: 'view',
-    title: `command.workspace.${id}` satisfies MessageKey,
-    icon,
-    keys: [key],
+    title: `wing.${id}.enter`,
+    icon: wings[id].icon,
+    keys: [wings[id].key],
     checked: () => state.workspace.value === id,
     run: () => workspaces.enter(id),
-  });
-  return [
-    enter('deform', 'Shift+1', 'move'),
-    enter('hair', 'Shift+2', 'spline'),
-    enter('merge', 'Shift+3', 'combine'),
-  ];
-}
+  }));

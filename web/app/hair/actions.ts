@@ -2,44 +2,39 @@
 
 import * as edit from '../../recipe/edit';
 import type { HairStep } from '../../recipe/recipe';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import { duplicatePrimitive, removePrimitive, replacePrimitive } from '../../tools/hair/edits';
 import type { HairScene } from '../../tools/hair/host';
 import { type Primitive, type PrimitivePatch, primitiveAt, primitivesOf } from '../../tools/hair/style';
 import { viewpointOf } from '../../tools/stroke/support';
-import type { ViewportPort } from '../../view/types';
-import type { HairPatch, HairService } from '../api';
-import type { Document } from '../document';
-import type { Evaluator } from '../evaluation';
 import { t } from '../i18n';
 import { LiveEdit } from '../live-edit';
-import type { ModelStore } from '../model-store';
-import type { State } from '../state';
+import type { WingParts } from '../wing-parts';
+import type { HairPatch, HairService } from './api';
+import { headHeight } from './head-height';
 import { fitted } from './refit';
-import { hairStepById, headHeight, scalpOf, withHairStep } from './steps';
+import type { HairState } from './state';
 
-interface Parts {
-  readonly state: State;
-  readonly document: Document;
-  readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly models: Pick<ModelStore, 'read'>;
-  readonly viewport: ViewportPort | null;
-}
+type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'models' | 'viewport'>;
 
 export class HairActions implements HairService {
   readonly #live: LiveEdit;
 
-  constructor(private readonly parts: Parts) {
+  constructor(
+    private readonly parts: Parts,
+    private readonly own: HairState,
+  ) {
     this.#live = new LiveEdit(parts.document);
   }
 
   select(primitive: number | null): void {
     const { document } = this.parts;
-    if (primitive !== null && primitive !== document.selection.handle) this.rebuildSupport();
+    if (primitive !== null && primitive !== document.selection.item) this.rebuildSupport();
     document.select(primitive);
   }
 
   primitiveName(index: number): string {
-    const step = this.parts.state.hairStep.value;
+    const step = this.own.step.value;
     const primitive = step && primitiveAt(step, index);
     if (!primitive) return '';
     if (primitive.item.name) return primitive.item.name;
@@ -91,7 +86,7 @@ export class HairActions implements HairService {
     const next = patched(step, patch);
     const keys = Object.entries(patch).map(([group, fields]) => `${group}:${Object.keys(Object(fields))}`);
     const label = 'material' in patch ? t('history.hair.look') : t('history.hair.change');
-    this.#apply(label, next, this.parts.document.selection.handle, live, keys.join());
+    this.#apply(label, next, this.parts.document.selection.item, live, keys.join());
   }
 
   finish(): void {
@@ -111,36 +106,35 @@ export class HairActions implements HairService {
   async setHead(builtin: string): Promise<void> {
     const { document, models, evaluator } = this.parts;
     const step = this.#step;
-    const before = evaluator.result.peek()?.input.model;
+    const before = evaluator.result.peek()?.shown.model;
     if (!step || !before || step.model === builtin) return;
     const head = (await models.read({ builtin })).model;
     const { scalp: _, ...bare } = fitted(step, { model: before, scalp: scalpOf(step, before) }, head);
     const named = edit.setModel(document.recipe, builtin, { builtin });
-    const recipe = edit.pruneModels(withHairStep(named, { ...bare, model: builtin }));
-    document.commit(t('history.hair.head'), recipe, { step: step.id, handle: document.selection.handle });
+    const recipe = edit.pruneModels(edit.replaceStep(named, { ...bare, model: builtin }));
+    document.commit(t('history.hair.head'), recipe, { step: step.id, item: document.selection.item });
   }
 
   scalpSize(): number {
-    const { evaluator, state } = this.parts;
-    const evaluation = evaluator.result.value;
-    const step = state.hairStep.value;
-    return step && evaluation ? scalpOf(step, evaluation.input.model).length : 0;
+    const evaluation = this.parts.evaluator.result.value;
+    const step = this.own.step.value;
+    return step && evaluation ? scalpOf(step, evaluation.shown.model).length : 0;
   }
 
   headHeight(): number {
     const evaluation = this.parts.evaluator.result.value;
     if (evaluation?.step.type !== 'hair') return 1;
-    return headHeight(evaluation.step, evaluation.input.model) || 1;
+    return headHeight(evaluation.step, evaluation.shown.model) || 1;
   }
 
   rebuildSupport(): void {
-    const { viewport, state } = this.parts;
-    if (viewport) state.hair.viewpoint.value = viewpointOf(viewport.camera);
+    const { viewport } = this.parts;
+    if (viewport) this.own.viewpoint.value = viewpointOf(viewport.camera);
   }
 
   get #step(): HairStep | undefined {
     const { document } = this.parts;
-    return hairStepById(document.recipe, document.selection.step);
+    return edit.stepOf(document.recipe, document.selection.step, 'hair');
   }
 
   get #scene(): HairScene | undefined {
@@ -149,7 +143,7 @@ export class HairActions implements HairService {
     const { document, state } = this.parts;
     return {
       step,
-      selected: document.selection.handle,
+      selected: document.selection.item,
       height: this.headHeight(),
       mirror: state.mirror.peek(),
     };
@@ -173,13 +167,13 @@ export class HairActions implements HairService {
   #apply(label: string, step: HairStep, selected: number | null, live: boolean, merge: string): void {
     const { document } = this.parts;
     if (live)
-      this.#live.preview(label, withHairStep(document.recipe, step), { step: step.id, handle: selected });
+      this.#live.preview(label, edit.replaceStep(document.recipe, step), { step: step.id, item: selected });
     else this.#commit(label, step, selected, merge);
   }
 
-  #commit(label: string, step: HairStep, handle: number | null, merge?: string): void {
+  #commit(label: string, step: HairStep, item: number | null, merge?: string): void {
     const { document } = this.parts;
-    document.commit(label, withHairStep(document.recipe, step), { step: step.id, handle }, merge);
+    document.commit(label, edit.replaceStep(document.recipe, step), { step: step.id, item }, merge);
   }
 }
 

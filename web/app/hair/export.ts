@@ -3,13 +3,12 @@
 import { LissomError } from '../../core/errors';
 import { groomFile } from '../../io/strands/groom-file';
 import type { StrandFormat } from '../../io/strands/options';
-import type { StrandChoice } from '../api';
-import type { Evaluation } from '../evaluation';
 import { t } from '../i18n';
+import type { ExportGroup } from '../wing';
 
 const FORMATS = ['abc', 'usda', 'hair', 'glb', 'obj', 'ply'] as const satisfies readonly StrandFormat[];
 
-export const STRAND_MIME: Readonly<Record<StrandFormat, string>> = {
+const MIME: Readonly<Record<StrandFormat, string>> = {
   abc: 'application/octet-stream',
   usda: 'model/vnd.usda',
   hair: 'application/octet-stream',
@@ -18,21 +17,21 @@ export const STRAND_MIME: Readonly<Record<StrandFormat, string>> = {
   ply: 'application/octet-stream',
 };
 
-export const strandChoices = (): StrandChoice[] =>
-  FORMATS.map((format) => ({
+/** In centimetres; the option writes the guides alone. */
+export const strandsExport = (): ExportGroup => ({
+  label: t('ui.export.strands'),
+  besideLabel: t('ui.export.head'),
+  about: t('ui.export.strands.about'),
+  option: t('ui.export.guides'),
+  choices: FORMATS.map((format) => ({
     format,
     label: t(`export.strands.${format}`),
     keeps: t(`export.strands.${format}.keeps`),
-  }));
-
-/** @throws LissomError `nothing-to-export` */
-export function strandsFile(
-  { step, strands, input }: Evaluation,
-  name: string,
-  format: StrandFormat,
-  guidesOnly: boolean,
-): Uint8Array {
-  if (step.type !== 'hair' || !strands || strands.offsets.length < 2)
-    throw new LissomError('nothing-to-export', t('error.no-hair'));
-  return groomFile(name, strands, input.model, format, guidesOnly);
-}
+    mimeType: MIME[format],
+  })),
+  write({ strands, shown }, name, format, guidesOnly) {
+    if (!strands || strands.offsets.length < 2)
+      throw new LissomError('nothing-to-export', t('error.no-hair'));
+    return groomFile(name, strands, shown.model, format as StrandFormat, guidesOnly);
+  },
+});

@@ -3,39 +3,36 @@
 import { effect } from '@preact/signals';
 import { Latest } from '../../core/latest';
 import type { Recipe } from '../../recipe/recipe';
-import type { Runner } from '../../run/evaluate';
-import type { HairField } from '../../run/steps/hair';
-import type { ViewportPort } from '../../view/types';
-import type { Evaluator } from '../evaluation';
-import type { State } from '../state';
+import type { Answer } from '../../run/steps/all';
+import type { WingParts } from '../wing-parts';
+import type { HairLayers } from './layers';
+import type { HairState } from './state';
 
 /** Every how-manieth node of the field has an arrow. */
 const STRIDE = 3;
 
-interface Parts {
-  readonly viewport: ViewportPort;
-  readonly state: State;
-  readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly runner: Pick<Runner, 'hairField'>;
-  readonly failed: (error: unknown) => void;
-}
+type Field = Answer<'field'>;
 
 /** @returns the function that ends it */
-export function syncField({ viewport, state, evaluator, runner, failed }: Parts): () => void {
-  const draw = (field: HairField | null): void => {
-    const { field: arrows, constraints, volume } = state.hair.show.peek();
-    viewport.setField(field && arrows ? field : null);
-    viewport.setConstraints(field && constraints ? field.constraints : null);
-    viewport.setVolume(field && volume ? { low: field.low, high: field.high } : null);
+export function syncField(
+  { field: arrows, box }: Pick<HairLayers, 'field' | 'box'>,
+  { evaluator, runner, messages }: Pick<WingParts, 'evaluator' | 'runner' | 'messages'>,
+  { show }: Pick<HairState, 'show'>,
+): () => void {
+  const draw = (field: Field | null): void => {
+    const wanted = show.peek();
+    arrows.setField(field && wanted.field ? field : null);
+    arrows.setConstraints(field && wanted.constraints ? field.constraints : null);
+    box.setVolume(field && wanted.volume ? { low: field.low, high: field.high } : null);
   };
-  const fetches = new Latest<{ readonly recipe: Recipe; readonly step: string }, HairField>({
-    work: ({ recipe, step }, signal) => runner.hairField(recipe, step, { stride: STRIDE, signal }),
+  const fetches = new Latest<{ readonly recipe: Recipe; readonly step: string }, Field>({
+    work: ({ recipe, step }, signal) => runner.ask(recipe, step, 'field', { stride: STRIDE }, { signal }),
     deliver: draw,
-    fail: failed,
+    fail: (error) => messages.failed(error),
   });
   const stop = effect(() => {
     const evaluation = evaluator.result.value;
-    const { field, constraints, volume } = state.hair.show.value;
+    const { field, constraints, volume } = show.value;
     if (evaluation?.step.type !== 'hair' || !evaluation.report || !(field || constraints || volume)) {
       fetches.cancel();
       draw(null);

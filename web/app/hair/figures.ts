@@ -1,15 +1,17 @@
-import type { Evaluation } from '../evaluation';
+import type { ReportOf } from '../../run/results';
+import type { Evaluation } from '../evaluated';
 import type { HairFigures } from './state';
 
 /** What the last hair took, as the status bar shows it. */
 export function hairFigures(evaluation: Evaluation, before: HairFigures | null): HairFigures | null {
-  const { report, settled, elapsed } = evaluation;
+  const { settled, elapsed } = evaluation;
+  const report = evaluation.report as ReportOf<'hair'> | null;
   if (!report) return null;
   const { update = 0, field = 0, grow = 0 } = report.seconds;
   return {
-    constraints: Number(report.constraints ?? 0),
-    grid: report.grid as HairFigures['grid'],
-    strands: Number(report.strands ?? 0),
+    constraints: report.constraints,
+    grid: report.grid,
+    strands: report.strands,
     update: 1000 * update,
     field: 1000 * field,
     grow: 1000 * grow,

@@ -2,64 +2,57 @@
 
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { fromIndices } from '../../core/vertex-set';
+import { replaceStep, stepOf } from '../../recipe/edit';
 import type { HairStep } from '../../recipe/recipe';
-import type { ModelResult } from '../../run/types';
-import type { Brush } from '../../tools/brush-stroke';
+import { scalpOf } from '../../run/steps/hair/scalp';
+import type { Brush, Paint } from '../../tools/brush-stroke';
 import type { HairEdit, HairEditLabel, HairHost, HairRemark, HairScene } from '../../tools/hair/host';
 import { REACH } from '../../tools/hair/measures';
 import type { ScalpHost, ScalpScene } from '../../tools/hair/scalp-tool';
 import { mainPart, pointsOf, primitiveAt } from '../../tools/hair/style';
-import { SupportSurface, viewpointOf } from '../../tools/stroke/support';
-import { MeshGraph } from '../../tools/mesh-graph';
-import { Mirror } from '../../tools/mirror';
 import type { PaintVerb } from '../../tools/paint-tool';
-import type { RegionPaint, ViewportPort } from '../../view/types';
-import type { MessageService } from '../api';
-import type { Document } from '../document';
-import type { Evaluator } from '../evaluation';
+import { SupportSurface, viewpointOf } from '../../tools/stroke/support';
 import { t } from '../i18n';
-import type { State } from '../state';
-import type { ShownStroke } from './state';
-import { hairStepById, headHeight, scalpOf, withHairStep } from './steps';
+import { brushOf, SurfaceAids } from '../surface-aids';
+import type { WingParts } from '../wing-parts';
+import { headHeight } from './head-height';
+import type { HairState, ShownStroke } from './state';
 
-interface Parts {
-  readonly viewport: ViewportPort;
-  readonly state: State;
-  readonly document: Document;
-  readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly messages: MessageService;
-}
+type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'messages'>;
 
 export class AppHairHost implements HairHost, ScalpHost {
-  readonly view: ViewportPort;
   /** Of the selected curve as shown, rebuilt as it changes. */
   readonly surface: ReadonlySignal<SupportSurface | null>;
   /** The scalp while it is being painted. */
   readonly paint = signal<Uint32Array | null>(null);
-  #aids: { readonly input: ModelResult; readonly graph: MeshGraph; readonly mirror: Mirror } | null = null;
+  readonly #aids = new SurfaceAids();
 
-  constructor(private readonly parts: Parts) {
-    this.view = parts.viewport;
+  constructor(
+    readonly view: HairHost['view'] & ScalpHost['view'],
+    readonly curves: HairHost['curves'],
+    private readonly parts: Parts,
+    private readonly own: HairState,
+  ) {
     this.surface = computed(() => this.#build());
   }
 
   scene(): HairScene | null {
     const { document, state } = this.parts;
-    const step = hairStepById(document.recipe, document.selection.step);
+    const { step } = this;
     const height = this.#height;
     if (!step || height === null) return null;
-    return { step, selected: document.selection.handle, height, mirror: state.mirror.peek() };
+    return { step, selected: document.selection.item, height, mirror: state.mirror.peek() };
   }
 
   preview({ step, selected }: HairEdit): void {
     const { document } = this.parts;
-    document.preview(withHairStep(document.recipe, step), { step: step.id, handle: selected });
+    document.preview(replaceStep(document.recipe, step), { step: step.id, item: selected });
   }
 
   commit(label: HairEditLabel, { step, selected }: HairEdit): void {
     const { document } = this.parts;
-    const recipe = withHairStep(document.recipe, step);
-    document.commit(t(`history.hair.${label}`), recipe, { step: step.id, handle: selected });
+    const recipe = replaceStep(document.recipe, step);
+    document.commit(t(`history.hair.${label}`), recipe, { step: step.id, item: selected });
   }
 
   cancel(): void {
@@ -67,7 +60,7 @@ export class AppHairHost implements HairHost, ScalpHost {
   }
 
   select(primitive: number | null): void {
-    if (primitive !== null && primitive !== this.parts.document.selection.handle) this.rebuildSupport();
+    if (primitive !== null && primitive !== this.parts.document.selection.item) this.rebuildSupport();
     this.parts.document.select(primitive);
   }
 
@@ -76,11 +69,11 @@ export class AppHairHost implements HairHost, ScalpHost {
   }
 
   rebuildSupport(): void {
-    this.parts.state.hair.viewpoint.value = viewpointOf(this.view.camera);
+    this.own.viewpoint.value = viewpointOf(this.view.camera);
   }
 
   showStroke(stroke: ShownStroke | null): void {
-    this.parts.state.hair.stroke.value = stroke && { ...stroke, line: [...stroke.line] };
+    this.own.stroke.value = stroke && { ...stroke, line: [...stroke.line] };
   }
 
   say(remark: HairRemark): void {
@@ -88,58 +81,56 @@ export class AppHairHost implements HairHost, ScalpHost {
   }
 
   aim(onHead: boolean): void {
-    this.parts.state.hair.aimed.value = onHead;
+    this.own.aimed.value = onHead;
   }
 
   brush(): Brush {
-    const { state } = this.parts;
-    return { radius: state.brushSize.peek(), erase: state.brushMode.peek() === 'erase' };
+    return brushOf(this.parts.state);
   }
 
   scalpScene(): ScalpScene | null {
-    const { document, evaluator, state } = this.parts;
-    const step = hairStepById(document.recipe, document.selection.step);
+    const { evaluator, state } = this.parts;
+    const { step } = this;
     const evaluation = evaluator.result.peek();
     if (!step || evaluation?.step.id !== step.id) return null;
-    const { input } = evaluation;
-    if (this.#aids?.input.opened !== input.opened)
-      this.#aids = { input, graph: new MeshGraph(input.opened), mirror: new Mirror(input.model.positions) };
-    const { graph, mirror } = this.#aids;
-    return {
-      scalp: scalpOf(step, input.model),
-      graph,
-      mirrored: (vertices) => (state.mirror.peek() ? mirror.both(vertices) : vertices),
-    };
+    const { shown } = evaluation;
+    return { scalp: scalpOf(step, shown.model), ...this.#aids.of(shown, state.mirror) };
   }
 
   commitScalp(verb: PaintVerb, scalp: Uint32Array): void {
     const { document, evaluator } = this.parts;
-    const step = hairStepById(document.recipe, document.selection.step);
-    const count = (evaluator.result.peek()?.input.model.positions.length ?? 0) / 3;
+    const { step } = this;
+    const count = (evaluator.result.peek()?.shown.model.positions.length ?? 0) / 3;
     if (!step) return;
-    const painted = { ...step, scalp: fromIndices(scalp, count) as NonNullable<HairStep['scalp']> };
-    document.commit(t(`history.hair.${verb}-scalp`), withHairStep(document.recipe, painted));
+    const painted = { ...step, scalp: fromIndices(scalp, count) };
+    document.commit(t(`history.hair.${verb}-scalp`), replaceStep(document.recipe, painted));
   }
 
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void {
+  showPaint(paint: Paint | null): void {
     this.paint.value = paint?.vertices ?? null;
+  }
+
+  /** The committed open step while it is one that grows hair. */
+  get step(): HairStep | undefined {
+    const { document } = this.parts;
+    return stepOf(document.recipe, document.selection.step, 'hair');
   }
 
   get #height(): number | null {
     const evaluation = this.parts.evaluator.result.peek();
-    return evaluation?.step.type === 'hair' ? headHeight(evaluation.step, evaluation.input.model) : null;
+    return evaluation?.step.type === 'hair' ? headHeight(evaluation.step, evaluation.shown.model) : null;
   }
 
   #build(): SupportSurface | null {
     const { state, evaluator } = this.parts;
-    const step = state.hairStep.value;
+    const step = this.own.step.value;
     const evaluation = evaluator.result.value;
-    const primitive = step && primitiveAt(step, state.selection.value.handle);
-    const viewpoint = state.hair.viewpoint.value ?? viewpointOf(this.view.camera);
+    const primitive = step && primitiveAt(step, state.selection.value.item);
+    const viewpoint = this.own.viewpoint.value ?? viewpointOf(this.view.camera);
     if (!primitive || evaluation?.step.type !== 'hair') return null;
     const line = pointsOf(primitive, mainPart(primitive));
     if (line.length < 2) return null;
-    const reach = REACH * headHeight(evaluation.step, evaluation.input.model);
-    return new SupportSurface(line, viewpoint, state.hair.supportKind.value, reach);
+    const reach = REACH * headHeight(evaluation.step, evaluation.shown.model);
+    return new SupportSurface(line, viewpoint, this.own.supportKind.value, reach);
   }
 }

@@ -1,36 +1,34 @@
 // The app's side of painting lengths: factors in, edits of the recipe out, hair that follows the brush.
 
+import { replaceStep } from '../../recipe/edit';
 import type { Recipe } from '../../recipe/recipe';
 import { lengthFactors } from '../../run/steps/hair';
 import type { Brush } from '../../tools/brush-stroke';
 import { type LengthHost, type LengthScene, lengthMapOf } from '../../tools/hair/length-tool';
 import type { PaintVerb } from '../../tools/paint-tool';
-import type { Document } from '../document';
 import { t } from '../i18n';
-import type { State } from '../state';
+import type { WingParts } from '../wing-parts';
 import type { AppHairHost } from './host';
-import { hairStepById, withHairStep } from './steps';
-
-interface Parts {
-  readonly state: State;
-  readonly document: Document;
-  readonly hair: AppHairHost;
-}
+import type { HairState } from './state';
 
 export class AppLengthHost implements LengthHost {
   readonly view: LengthHost['view'];
 
-  constructor(private readonly parts: Parts) {
-    this.view = parts.hair.view;
+  constructor(
+    private readonly hair: AppHairHost,
+    private readonly parts: Pick<WingParts, 'document'>,
+    private readonly own: Pick<HairState, 'lengthBrush'>,
+  ) {
+    this.view = hair.view;
   }
 
   brush(): Brush {
-    return this.parts.hair.brush();
+    return this.hair.brush();
   }
 
   lengthScene(): LengthScene | null {
-    const scene = this.parts.hair.scalpScene();
-    const step = this.#step;
+    const scene = this.hair.scalpScene();
+    const { step } = this.hair;
     if (!scene || !step) return null;
     const { graph, scalp, mirrored } = scene;
     const skin = new Set(scalp);
@@ -39,7 +37,7 @@ export class AppLengthHost implements LengthHost {
       // Hair grows from the scalp alone.
       mirrored: (vertices) => mirrored(vertices).filter((v) => skin.has(v)),
       factors: lengthFactors(step.length.map, graph.vertexCount),
-      factor: this.parts.state.hair.lengthBrush.peek(),
+      factor: this.own.lengthBrush.peek(),
     };
   }
 
@@ -58,15 +56,10 @@ export class AppLengthHost implements LengthHost {
     if (recipe) this.parts.document.commit(t(`history.hair.${verb}-length`), recipe);
   }
 
-  get #step() {
-    const { document } = this.parts;
-    return hairStepById(document.recipe, document.selection.step);
-  }
-
   #with(factors: Float32Array): Recipe | null {
-    const step = this.#step;
+    const { step } = this.hair;
     if (!step) return null;
     const length = { ...step.length, map: lengthMapOf(factors) };
-    return withHairStep(this.parts.document.recipe, { ...step, length });
+    return replaceStep(this.parts.document.recipe, { ...step, length });
   }
 }

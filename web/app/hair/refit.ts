@@ -3,9 +3,10 @@
 import { roundTo } from '../../core/decimal';
 import type { Model } from '../../core/model';
 import type { HairStep } from '../../recipe/recipe';
+import { scalpOf } from '../../run/steps/hair/scalp';
 import { places } from '../../tools/hair/measures';
 import { mapped, type Point, primitivesOf, withPrimitives } from '../../tools/hair/style';
-import { headHeight, scalpOf } from './steps';
+import { headHeight } from './head-height';
 
 interface Head {
   readonly model: Model;

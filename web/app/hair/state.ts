@@ -1,15 +1,18 @@
 // What the hair workspace knows beside the document, as signals. No behaviour here.
 
-import { signal } from '@preact/signals';
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { stepOf } from '../../recipe/edit';
+import type { HairStep } from '../../recipe/recipe';
+import type { CurveKind } from '../../tools/hair/style';
 import type { Line } from '../../tools/stroke/polyline';
 import type { SupportKind, Viewpoint } from '../../tools/stroke/support';
-import type { HairOptions, StyleCurve } from '../../view/hair/types';
-import type { ViewedStrands } from './viewed';
+import type { HairOptions } from '../../view/hair/types';
+import type { State } from '../state';
 
 /** A stroke under way that is no edit yet. */
 export interface ShownStroke {
   readonly line: Line;
-  readonly kind: StyleCurve['kind'];
+  readonly kind: CurveKind;
 }
 
 /** What is drawn beside the hair itself. */
@@ -35,6 +38,8 @@ export interface HairFigures {
 }
 
 export class HairState {
+  /** The open step while it is one that grows hair. */
+  readonly step: ReadonlySignal<HairStep | undefined>;
   readonly show = signal<HairShow>({
     hair: true,
     curves: true,
@@ -43,6 +48,8 @@ export class HairState {
     constraints: false,
     volume: false,
   });
+  /** The first so many of the strands (0 to 1) are drawn; `null`: as many as the machine allows. */
+  readonly share = signal<number | null>(null);
   readonly shading = signal<HairOptions['shading']>('natural');
   /** The factor of the length that the brush paints. */
   readonly lengthBrush = signal(0.5);
@@ -53,6 +60,8 @@ export class HairState {
   /** Whether the pointer is over something the tool can start on. */
   readonly aimed = signal(true);
   readonly figures = signal<HairFigures | null>(null);
-  /** Strands of a file, on screen in place of the document. */
-  readonly viewed = signal<ViewedStrands | null>(null);
+
+  constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
+    this.step = computed(() => stepOf(recipe.value, selection.value.step, 'hair'));
+  }
 }

@@ -4,13 +4,14 @@ import { ponytailStage } from '../../tools/hair/ponytail-tool';
 import { primitiveAt } from '../../tools/hair/style';
 import { t } from '../i18n';
 import type { State } from '../state';
+import type { HairState } from './state';
 
 type Keys = (command: string) => string;
 
 /** Reads signals. @param key  the shortcut of a command as it is shown */
-export function hairStatus(state: State, key: Keys): string {
-  const aimed = state.hair.aimed.value;
-  const kind = selectedKind(state);
+export function hairStatus(state: State, own: HairState, key: Keys): string {
+  const aimed = own.aimed.value;
+  const kind = selectedKind(state, own);
   switch (state.tool.value) {
     case 'stream':
       return aimed ? t('status.hair.stream', { hint: key('tool.hint') }) : t('status.hair.off-head');
@@ -20,29 +21,29 @@ export function hairStatus(state: State, key: Keys): string {
     case 'hint':
       return hintStatus(kind, key);
     case 'ponytail':
-      return ponytailStatus(state, key);
+      return ponytailStatus(state, own, key);
     case 'paint-scalp':
       return t('status.hair.scalp', { smaller: key('brush.smaller'), larger: key('brush.larger') });
     case 'paint-length': {
-      const percent = Math.round(100 * state.hair.lengthBrush.value);
+      const percent = Math.round(100 * own.lengthBrush.value);
       const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
       return t('status.hair.length', { percent, ...brush });
     }
     default:
-      if (kind === undefined) return restStatus(state, key);
+      if (kind === undefined) return restStatus(own, key);
       return t('status.hair.selected', { hint: key('tool.hint') });
   }
 }
 
-function selectedKind(state: State) {
-  const step = state.hairStep.value;
-  return step && primitiveAt(step, state.selection.value.handle)?.kind;
+function selectedKind(state: State, own: HairState) {
+  const step = own.step.value;
+  return step && primitiveAt(step, state.selection.value.item)?.kind;
 }
 
 /** Nothing is selected; a style that has only been opened shows no curves to click. */
-function restStatus(state: State, key: Keys): string {
+function restStatus(own: HairState, key: Keys): string {
   const stream = key('tool.stream');
-  if (state.hair.show.value.curves) return t('status.hair.select', { stream });
+  if (own.show.value.curves) return t('status.hair.select', { stream });
   return t('status.hair.look', { stream, curves: key('hair.show-curves') });
 }
 
@@ -53,10 +54,10 @@ function hintStatus(kind: ReturnType<typeof selectedKind>, key: Keys): string {
 }
 
 /** What to draw next of the ponytail being built. */
-function ponytailStatus(state: State, key: Keys): string {
-  const step = state.hairStep.value;
-  const stage = step ? ponytailStage({ step, selected: state.selection.value.handle }) : 'spine';
-  if (stage === 'spine' && !state.hair.aimed.value) return t('status.hair.off-head');
+function ponytailStatus(state: State, own: HairState, key: Keys): string {
+  const step = own.step.value;
+  const stage = step ? ponytailStage({ step, selected: state.selection.value.item }) : 'spine';
+  if (stage === 'spine' && !own.aimed.value) return t('status.hair.off-head');
   return t(`status.hair.ponytail.${stage}`, {
     rebuild: key('hair.rebuild-support'),
     done: key('hair.done'),

@@ -1,97 +1,114 @@
-// Keeps the hair part of the viewport in step with the state: one effect per thing drawn.
+// The hair workspace on screen: strands, curves, supporting surfaces, painted skin, one effect per thing drawn, and
+// the tools.
 
 import { effect } from '@preact/signals';
 import { strandCount } from '../../core/strands';
-import { ponytailStage } from '../../tools/hair/ponytail-tool';
-import { curvesOf } from '../../tools/hair/style';
-import type { StyleCurve } from '../../view/hair/types';
+import { scalpOf } from '../../run/steps/hair/scalp';
+import { paintLength } from '../../tools/hair/length-tool';
+import { PartingTool } from '../../tools/hair/parting-tool';
+import { PonytailTool, ponytailStage } from '../../tools/hair/ponytail-tool';
+import { paintScalp } from '../../tools/hair/scalp-tool';
+import { HairSelectTool, HintTool } from '../../tools/hair/select-tool';
+import { StreamTool } from '../../tools/hair/stream-tool';
+import { CURVE_LOOKS, curvesOf } from '../../tools/hair/style';
 import type { ViewportPort } from '../../view/types';
-import type { Evaluator } from '../evaluation';
-import type { State } from '../state';
-import type { AppHairHost } from './host';
-import { SPARSE } from './lengths';
-import { frameHair } from './opening';
-import { scalpOf } from './steps';
+import type { Mounted } from '../wing';
+import type { WingParts } from '../wing-parts';
+import { syncField } from './field-sync';
+import { AppHairHost } from './host';
+import { layersIn } from './layers';
+import { AppLengthHost } from './length-host';
+import { LENGTHS, SPARSE, shownLengths } from './lengths';
+import { type FirstSight, frameHair } from './opening';
+import type { HairState } from './state';
 
-interface Parts {
-  readonly viewport: ViewportPort;
-  readonly state: State;
-  readonly evaluator: Pick<Evaluator, 'result'>;
-  readonly host: AppHairHost;
-}
+type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'runner' | 'messages'>;
 
-/** Called after the deform workspace's own, which shows the model. @returns the function that ends it */
-export function syncHair({ viewport, state, evaluator, host }: Parts): () => void {
+export function mountHair(viewport: ViewportPort, parts: Parts, own: HairState, sight: FirstSight): Mounted {
+  const { state, evaluator } = parts;
+  const layers = layersIn(viewport);
+  const { hair, curves, support } = layers.ports;
+  const host = new AppHairHost(viewport, curves, parts, own);
+  const ponytail = new PonytailTool(host);
   const stops = [
     effect(() => {
       const evaluation = evaluator.result.value;
-      const strands = evaluation?.step.type === 'hair' ? evaluation.strands : null;
+      const strands = evaluation?.strands ?? null;
       if (strands && evaluation?.step.type === 'hair') {
-        const grown = Math.max(1, strands.offsets.length - 1);
-        viewport.setHairOptions({ widthScale: Math.max(1, evaluation.step.strands.count / grown) });
+        const grown = Math.max(1, strandCount(strands));
+        hair.setHairOptions({ widthScale: Math.max(1, evaluation.step.strands.count / grown) });
       }
-      viewport.setHair(strands);
+      hair.setHair(strands);
     }),
-    thinWhilePainting(viewport, state, evaluator),
-    frameHair({ viewport, state, evaluator }),
+    // Colours on the scalp are of no use under a full head of hair.
     effect(() => {
-      viewport.setHairOptions({ show: state.hair.show.value.hair, shading: state.hair.shading.value });
+      const strands = state.tool.value === 'paint-length' ? evaluator.result.value?.strands : null;
+      const share = strands ? Math.min(1, SPARSE / Math.max(1, strandCount(strands))) : own.share.value;
+      hair.setStrandShare(share);
+    }),
+    frameHair({ viewport, state, evaluator }, sight),
+    effect(() => {
+      hair.setHairOptions({ show: own.show.value.hair, shading: own.shading.value });
     }),
     effect(() => {
-      const step = state.hairStep.value;
-      const stroke = state.hair.stroke.value;
-      const wanted = state.hair.show.value.curves && !state.hair.viewed.value;
-      const shown = step && wanted ? curvesOf(step, state.selection.value.handle) : [];
-      const drawn: StyleCurve[] =
+      const step = own.step.value;
+      const stroke = own.stroke.value;
+      const shown = step && own.show.value.curves ? curvesOf(step, state.selection.value.item) : [];
+      const drawn =
         stroke && stroke.line.length > 1
-          ? [{ id: 'stroke', points: stroke.line, kind: stroke.kind, selected: false }]
+          ? [{ id: 'stroke', points: stroke.line, ...CURVE_LOOKS[stroke.kind], selected: false }]
           : [];
-      viewport.setCurves([...shown, ...drawn]);
+      curves.setCurves([...shown, ...drawn]);
     }),
     effect(() => {
       const surface = host.surface.value;
-      const shown = state.hair.show.value.support && isEditing(state) && !state.hair.viewed.value;
-      viewport.setSupport(surface && shown ? surface : null);
+      support.setSupport(surface && own.show.value.support && isEditing(parts, own) ? surface : null);
     }),
     effect(() => {
       const evaluation = evaluator.result.value;
-      const step = state.hairStep.value;
+      const step = own.step.value;
       const painted = host.paint.value;
+      const tool = state.tool.value;
       if (evaluation?.step.type !== 'hair' || !step) return;
-      const vertices = painted ?? scalpOf(step, evaluation.input.model);
-      const shown = state.tool.value === 'paint-scalp' || state.tool.value === 'paint-length';
-      viewport.setMarkers([]);
+      const vertices = painted ?? scalpOf(step, evaluation.shown.model);
+      const shown = tool === 'paint-scalp' || tool === 'paint-length';
       viewport.setRegions(
-        shown ? [{ id: 'scalp', kind: 'scalp', vertices, visible: true, selected: true }] : [],
+        shown ? [{ id: 'scalp', tint: 'green', vertices, visible: true, selected: true }] : [],
       );
     }),
+    effect(() => {
+      const values = shownLengths(state, own, evaluator.result.value);
+      viewport.setHeat(values && { values, range: LENGTHS });
+    }),
+    syncField(layers.ports, parts, own),
   ];
-  return () => {
-    for (const stop of stops) stop();
+  return {
+    tools: {
+      'hair-select': new HairSelectTool(host),
+      stream: new StreamTool(host),
+      hint: new HintTool(host),
+      parting: new PartingTool(host),
+      ponytail,
+      'paint-scalp': paintScalp(host),
+      'paint-length': paintLength(new AppLengthHost(host, parts, own)),
+    },
+    back: () => state.tool.peek() === 'ponytail' && ponytail.back(),
+    unmount: () => {
+      for (const stop of stops) stop();
+      layers.unmount();
+      viewport.setRegions([]);
+      viewport.setHeat(null);
+      // What a file shows meanwhile is framed for itself.
+      if (state.viewing.peek()) sight.surface = null;
+    },
   };
 }
 
-/** Colours on the scalp are of no use under a full head of hair. */
-function thinWhilePainting(
-  viewport: ViewportPort,
-  state: State,
-  { result }: Pick<Evaluator, 'result'>,
-): () => void {
-  let thin = false;
-  return effect(() => {
-    const shown = result.value;
-    const painting = state.tool.value === 'paint-length' && shown?.strands;
-    if (!painting && !thin) return;
-    thin = Boolean(painting);
-    viewport.setStrandShare(painting ? Math.min(1, SPARSE / Math.max(1, strandCount(painting))) : null);
-  });
-}
-
 /** Whether strokes land on the supporting surface now. */
-function isEditing(state: State): boolean {
+function isEditing({ state }: Pick<Parts, 'state'>, own: HairState): boolean {
   if (state.tool.value === 'hint') return true;
-  const step = state.hairStep.value;
-  const selected = state.selection.value.handle;
+  const step = own.step.value;
+  const selected = state.selection.value.item;
   return (
     state.tool.value === 'ponytail' && step !== undefined && ponytailStage({ step, selected }) !== 'spine'
   );

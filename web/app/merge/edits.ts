@@ -1,25 +1,19 @@
+import { replaceStep, stepOf } from '../../recipe/edit';
 import type { MergeStep } from '../../recipe/recipe';
 import type { Document } from '../document';
 import { LiveEdit } from '../live-edit';
-import type { State } from '../state';
-import { mergeStepById, withMergeStep } from './steps';
-
-export interface EditParts {
-  readonly state: State;
-  readonly document: Document;
-}
 
 /** What all edits of the open merge step have in common: one step of undo each, or a preview that is finished later. */
-export abstract class MergeEdits {
+export class MergeEdits {
   readonly #live: LiveEdit;
 
-  constructor(protected readonly parts: EditParts) {
-    this.#live = new LiveEdit(parts.document);
+  constructor(private readonly document: Document) {
+    this.#live = new LiveEdit(document);
   }
 
-  protected get step(): MergeStep | undefined {
-    const { document } = this.parts;
-    return mergeStepById(document.recipe, document.selection.step);
+  /** The committed open step while it is one that merges. */
+  get step(): MergeStep | undefined {
+    return stepOf(this.document.recipe, this.document.selection.step, 'merge');
   }
 
   finish(): void {
@@ -30,14 +24,20 @@ export abstract class MergeEdits {
     this.#live.cancel();
   }
 
-  protected set(label: string, step: MergeStep, live: boolean, merge: string): void {
-    const { document } = this.parts;
-    if (live) this.#live.preview(label, withMergeStep(document.recipe, step), document.selection);
-    else this.commit(label, step, document.selection.handle, `merge:${merge}`);
+  /** `live` previews (slider held), then `finish`. */
+  set(label: string, step: MergeStep, live: boolean, merge: string): void {
+    const { document } = this;
+    if (live) this.#live.preview(label, replaceStep(document.recipe, step), document.selection);
+    else this.commit(label, step, document.selection.item, `merge:${merge}`);
   }
 
-  protected commit(label: string, step: MergeStep, handle: number | null = null, merge?: string): void {
-    const { document } = this.parts;
-    document.commit(label, withMergeStep(document.recipe, step), { step: step.id, handle }, merge);
+  commit(label: string, step: MergeStep, item: number | null = null, merge?: string): void {
+    const { document } = this;
+    document.commit(label, replaceStep(document.recipe, step), { step: step.id, item }, merge);
+  }
+
+  preview(step: MergeStep, item: number | null): void {
+    const { document } = this;
+    document.preview(replaceStep(document.recipe, step), { step: step.id, item });
   }
 }

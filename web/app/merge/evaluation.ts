@@ -1,81 +1,80 @@
-// A merge step from a recipe: its two models at once, the merged one when it is asked for and can be had.
+// How a merge is computed for the screen: its two models at once, the merged one when it is asked for and can be had.
 
 import { isCancelled, LissomError } from '../../core/errors';
-import type { MergeStep, Recipe } from '../../recipe/recipe';
-import type { RunOptions } from '../../run/evaluate';
-import type { ModelResult, StepReport } from '../../run/types';
-import type { Key } from '../../tools/merge/pins';
-import type { Evaluation, RunnerPort } from '../evaluation';
+import { replaceStep } from '../../recipe/edit';
+import type { MergeStep } from '../../recipe/recipe';
+import type { ReportOf } from '../../run/results';
+import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
 import { tCode } from '../i18n';
-import type { State } from '../state';
-import type { MergeFigures } from './state';
-import { isReady, withMergeStep } from './steps';
+import { atRest, computed, sameBefore } from '../strategy';
+import type { MergeFigures, MergeState } from './state';
+import { isReady, sameCut } from './steps';
 
-export interface MergedStep {
-  readonly input: ModelResult;
-  readonly positions: Float64Array;
-  readonly strands: null;
-  readonly report: StepReport | null;
-}
+/** Number of the target among the inputs: until there is a merged model it is on screen. */
+const TARGET = 1;
 
-/** How the open merge step is wanted: not yet, along the region's edge, or as it is. Reads signals. */
-export function mergeWanted(state: State, step: MergeStep): 'held' | 'before' | 'whole' {
-  const { held, before } = state.merge;
-  if (held.value === step.id) return 'held';
-  return before.value && step.optimalBoundary ? 'before' : 'whole';
-}
+export const mergeStrategy = (own: MergeState): Strategy<MergeStep> => ({
+  busy: 'busy.merging',
 
-/** The merged model takes the place of the input, for it is a model of its own; until there is one, the target does. */
-export async function runMerge(
-  runner: RunnerPort,
-  recipe: Recipe,
-  step: MergeStep,
-  wanted: ReturnType<typeof mergeWanted>,
-  { merge }: Pick<State, 'merge'>,
-  options: RunOptions,
-): Promise<MergedStep> {
-  const { signal } = options;
-  const aborting = signal ? { signal } : {};
-  const source = await runner.opened(recipe, step.source, aborting);
-  const target = await runner.opened(recipe, step.target, aborting);
-  if (!signal?.aborted)
-    merge.opened.value = {
-      source: { name: step.source, result: source },
-      target: { name: step.target, result: target },
-    };
-  const bare = { input: target, positions: target.model.positions, strands: null, report: null };
-  if (!isReady(step) || wanted === 'held') {
-    merge.problem.value = null;
-    return bare;
-  }
-  const asked = wanted === 'before' ? withMergeStep(recipe, withoutRounds(step)) : recipe;
+  /** Not yet, along the region's edge, or as it is. */
+  wish(step) {
+    if (own.isHeld(step)) return 'held';
+    return own.before.value && step.optimalBoundary ? 'before' : 'whole';
+  },
+
+  /** Both are of one factored session: only the points of loops that meet differ. */
+  worthWaiting: (last, next) =>
+    last.wish === next.wish && sameCut(last.step, next.step) && sameBefore(last, next),
+
+  run: merged,
+
+  /** What was stopped by hand waits for its button. */
+  stopped: ({ id }) => own.hold(id),
+});
+
+async function merged(request: Request<MergeStep>, evaluating: Evaluating): Promise<Outcome> {
+  const { recipe, step, wish } = request;
+  const { runner, signal, before, show } = evaluating;
+  const inputs = [
+    await runner.opened(recipe, step.source, { signal }),
+    await runner.opened(recipe, step.target, { signal }),
+  ];
+  const bare = atRest(inputs, TARGET);
+  if (!isReady(step) || wish === 'held') return bare;
+  // Two models that are not on screen yet are seen at once; what came of them before stays until the next is there.
+  if (before?.inputs.some((input, i) => input !== inputs[i]) ?? true) show(bare);
+  const asked = wish === 'before' ? replaceStep(recipe, withoutRounds(step)) : recipe;
   try {
-    const results = await runner.run(asked, { ...options, until: step.id });
-    const input = await runner.opened(asked, step.id, aborting);
-    if (!signal?.aborted) merge.problem.value = null;
-    const { report } = results.get(step.id)!;
-    return { input, positions: input.model.positions, strands: null, report };
+    return await computed({ ...request, recipe: asked }, evaluating);
   } catch (error) {
     if (!(error instanceof LissomError) || isCancelled(error) || error.fault !== 'input') throw error;
-    if (!signal?.aborted)
-      merge.problem.value = tCode('merge.problem.', error.code, 'error.unknown', { detail: error.message });
-    return bare;
+    return { ...bare, problem: error };
   }
 }
 
 const withoutRounds = (step: MergeStep): MergeStep =>
   step.optimalBoundary ? { ...step, optimalBoundary: { ...step.optimalBoundary, rounds: 0 } } : step;
 
-export function mergeFigures({ report, input }: Evaluation): MergeFigures | null {
-  if (report?.type !== 'merge') return null;
-  const seam = report.seam as Record<'highDihedral' | 'ownHighDihedral', number>;
+/** Lets the workspace follow a result. */
+export function publishMerge(own: MergeState, evaluation: Evaluation | null): void {
+  own.figures.value = evaluation && mergeFigures(evaluation);
+  const problem = evaluation?.problem;
+  own.problem.value = problem
+    ? tCode('merge.problem.', problem.code, 'error.unknown', { detail: problem.message })
+    : null;
+}
+
+function mergeFigures(evaluation: Evaluation): MergeFigures | null {
+  const report = evaluation.report as ReportOf<'merge'> | null;
+  if (!report) return null;
+  const { seam, energy = [], keys = [] } = report;
   return {
-    seamVertices: Number(report.seamVertices),
-    closed: input.opened.closed,
-    eulerCharacteristic: Number(report.eulerCharacteristic),
+    seamVertices: report.seamVertices,
+    closed: evaluation.shown.opened.closed,
+    eulerCharacteristic: report.eulerCharacteristic,
     seamDihedral: seam.highDihedral,
     ownDihedral: seam.ownHighDihedral,
-    energy: (report.energy as readonly number[] | undefined) ?? [],
-    keys: (report.keys as readonly (readonly Key[])[] | undefined) ?? [],
+    energy,
+    keys,
   };
 }

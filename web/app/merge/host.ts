@@ -1,22 +1,22 @@
 // The app's side of the merge tools, one for each of the two panes.
 
 import type { MergeStep } from '../../recipe/recipe';
-import type { Brush } from '../../tools/brush-stroke';
+import type { Brush, Paint } from '../../tools/brush-stroke';
 import type { Mark, MergeEditLabel, MergeHost, MergeScene } from '../../tools/merge/host';
 import type { Loop } from '../../tools/merge/loops';
 import type { MergeBoundary, MergeSide } from '../../tools/merge/pins';
 import { verticesThrough } from '../../tools/merge/through';
 import type { PaintVerb } from '../../tools/paint-tool';
-import type { Hit, RegionPaint, ViewportPort } from '../../view/types';
-import type { Document } from '../document';
+import type { Hit, ViewportPort } from '../../view/types';
 import { t } from '../i18n';
-import type { State } from '../state';
+import { brushOf } from '../surface-aids';
+import type { WingParts } from '../wing-parts';
 import type { MergeActions } from './actions';
-import { markOf, mergeStepById } from './steps';
+import type { MergeState } from './state';
+import { markOf } from './steps';
 
-interface Parts {
-  readonly state: State;
-  readonly document: Document;
+interface Parts extends Pick<WingParts, 'state' | 'document'> {
+  readonly own: MergeState;
   readonly actions: MergeActions;
 }
 
@@ -28,46 +28,45 @@ export class AppMergeHost implements MergeHost {
   ) {}
 
   scene(): MergeScene | null {
-    const { document, state, actions } = this.parts;
-    const step = mergeStepById(document.recipe, document.selection.step);
+    const { document, state, own, actions } = this.parts;
+    const { step } = actions.edits;
     const aids = { source: actions.aids.of('source'), target: actions.aids.of('target') };
-    const own = aids[this.side];
-    if (!step || state.choosing.peek() || !aids.source || !aids.target || !own) return null;
+    const mine = aids[this.side];
+    if (!step || state.choosing.peek() || !aids.source || !aids.target || !mine) return null;
     return {
       step,
       positions: { source: aids.source.positions, target: aids.target.positions },
-      loops: own.loops,
-      pins: actions.pins(),
-      boundaries: actions.boundaries(),
-      selected: document.selection.handle,
-      mark: (mark) => markOf(step, mark, own.positions.length / 3),
-      graph: own.graph,
+      loops: mine.loops,
+      pins: actions.joins.pins(),
+      boundaries: actions.joins.boundaries(),
+      selected: document.selection.item,
+      mark: (mark) => markOf(step, mark, mine.positions.length / 3),
+      graph: mine.graph,
       mirrored: (vertices) => vertices,
-      ...(state.merge.through.peek() && {
-        under: (hit: Hit, radius: number) => verticesThrough(own.positions, hit, radius, this.view.camera),
+      ...(own.through.peek() && {
+        under: (hit: Hit, radius: number) => verticesThrough(mine.positions, hit, radius, this.view.camera),
       }),
     };
   }
 
   brush(): Brush {
-    const { state } = this.parts;
-    return { radius: state.brushSize.peek(), erase: state.brushMode.peek() === 'erase' };
+    return brushOf(this.parts.state);
   }
 
   commitMark(mark: Mark, verb: PaintVerb, vertices: Uint32Array): void {
-    this.parts.actions.setMark(mark, vertices, t(`history.merge.${verb}-${mark}`));
+    this.parts.actions.marking.setMark(mark, vertices, t(`history.merge.${verb}-${mark}`));
   }
 
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void {
-    this.parts.state.merge.paint.value = paint && { mark: paint.kind as Mark, vertices: paint.vertices };
+  showPaint(paint: Paint | null): void {
+    this.parts.own.paint.value = paint && { mark: paint.kind as Mark, vertices: paint.vertices };
   }
 
   preview(boundaries: readonly MergeBoundary[], selected: number | null): void {
-    this.parts.actions.previewBoundaries(writable(boundaries), selected);
+    this.parts.actions.joins.previewBoundaries(writable(boundaries), selected);
   }
 
   commit(label: MergeEditLabel, boundaries: readonly MergeBoundary[], selected: number | null): void {
-    this.parts.actions.setBoundaries(t(`history.merge.${label}`), writable(boundaries), selected);
+    this.parts.actions.joins.setBoundaries(t(`history.merge.${label}`), writable(boundaries), selected);
   }
 
   cancel(): void {
@@ -79,12 +78,12 @@ export class AppMergeHost implements MergeHost {
   }
 
   hoverLoop(loop: Loop | null): void {
-    const { hovered } = this.parts.state.merge;
+    const { hovered } = this.parts.own;
     if ((hovered.peek()?.loop ?? null) !== loop) hovered.value = loop && { side: this.side, loop };
   }
 
   pickLoop(loop: Loop): void {
-    this.parts.actions.pickLoop(this.side, loop);
+    this.parts.actions.joins.pickLoop(this.side, loop);
   }
 }
 

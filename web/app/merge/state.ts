@@ -1,20 +1,14 @@
 // What the merge workspace knows beside the document, as signals. No behaviour here.
 
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
-import type { MergeStep, Recipe } from '../../recipe/recipe';
+import { stepOf } from '../../recipe/edit';
+import type { MergeStep } from '../../recipe/recipe';
 import type { ModelResult } from '../../run/types';
 import type { Mark } from '../../tools/merge/host';
 import type { Loop } from '../../tools/merge/loops';
 import type { Key, MergeSide } from '../../tools/merge/pins';
-
-/** A part is being chosen, for as long as the recipe stays this one. */
-export interface Choosing {
-  readonly recipe: Recipe;
-  /** Name of what the part is to be added to. */
-  readonly target: string;
-  /** Id of the merge step that shall have another part; `null`: a new step begins. */
-  readonly swaps: string | null;
-}
+import type { EvaluatorPort } from '../evaluated';
+import type { State } from '../state';
 
 /** A loop of one of the two models. */
 export interface SideLoop {
@@ -38,22 +32,28 @@ export interface MergeFigures {
 
 export type Sides = Readonly<Record<MergeSide, ModelResult | null>>;
 
-/** A model that is open, and the name it has in the recipe. */
-interface Named {
-  readonly name: string;
-  readonly result: ModelResult;
+/** Two models, and the names they have in the recipe. */
+interface Opened {
+  readonly names: Readonly<Record<MergeSide, string | null>>;
+  readonly models: Sides;
 }
 
-export const NO_SIDES: Readonly<Record<MergeSide, Named | null>> = { source: null, target: null };
+const NO_SIDES: Sides = { source: null, target: null };
+
+interface Parts {
+  readonly state: Pick<State, 'recipe' | 'selection' | 'choosing' | 'opened'>;
+  readonly evaluator: Pick<EvaluatorPort, 'result'>;
+}
 
 export class MergeState {
-  /** What was opened last for the two panes. */
-  readonly opened = signal(NO_SIDES);
+  /** The open step while it is one that merges. */
+  readonly step: ReadonlySignal<MergeStep | undefined>;
+  /** The model that a part is being chosen for. */
+  readonly target = signal<ModelResult | null>(null);
   /** The two models of the open step, or of the one about to be started; `null` while one is not there yet. */
   readonly sides: ReadonlySignal<Sides>;
-  readonly choosing = signal<Choosing | null>(null);
-  /** Id of the step whose marks are not to be merged until the button says so. */
-  readonly held = signal<string | null>(null);
+  /** The step whose marks are not to be merged until the button says so, and the document it is in. */
+  readonly #held = signal<{ readonly step: string; readonly opened: number } | null>(null);
   /** Shows the merge along the edge of the region, without the search for a better line. */
   readonly before = signal(false);
   /** Whether the brush marks both sides of what is thin. */
@@ -67,14 +67,47 @@ export class MergeState {
   readonly picked = signal<SideLoop | null>(null);
   readonly figures = signal<MergeFigures | null>(null);
 
-  /** @param step  the open one while it is one that merges */
-  constructor(step: ReadonlySignal<MergeStep | undefined>) {
-    const side = (which: MergeSide): ModelResult | null => {
-      const held = this.opened.value[which];
-      const open = step.value;
-      const isMeant = !open || this.choosing.value !== null || open[which] === held?.name;
-      return held && isMeant ? held.result : null;
-    };
-    this.sides = computed(() => ({ source: side('source'), target: side('target') }));
+  constructor(private readonly parts: Parts) {
+    const { state, evaluator } = parts;
+    this.step = computed(() => stepOf(state.recipe.value, state.selection.value.step, 'merge'));
+    const opened = computed((): Opened | null => {
+      if (state.choosing.value) {
+        const names = { source: null, target: null };
+        return { names, models: { source: null, target: this.target.value } };
+      }
+      const evaluation = evaluator.result.value;
+      if (evaluation?.step.type !== 'merge') return null;
+      const { source, target } = evaluation.step;
+      const [part, goal] = evaluation.inputs as [ModelResult, ModelResult];
+      return { names: { source, target }, models: { source: part, target: goal } };
+    });
+    // The same two models are the same two sides, however often they are merged.
+    let last = NO_SIDES;
+    this.sides = computed(() => {
+      const held = opened.value;
+      const open = this.step.value;
+      const side = (which: MergeSide): ModelResult | null => {
+        if (!held || (!state.choosing.value && open && open[which] !== held.names[which])) return null;
+        return held.models[which];
+      };
+      const next = { source: side('source'), target: side('target') };
+      if (next.source !== last.source || next.target !== last.target) last = next;
+      return last;
+    });
+  }
+
+  /** Whether a step waits for its button. Reads signals. */
+  isHeld({ id }: Pick<MergeStep, 'id'>): boolean {
+    const held = this.#held.value;
+    return held?.step === id && held.opened === this.parts.state.opened.value;
+  }
+
+  /** Lets a step wait for its button. */
+  hold(step: string): void {
+    this.#held.value = { step, opened: this.parts.state.opened.peek() };
+  }
+
+  letGo(): void {
+    this.#held.value = null;
   }
 }

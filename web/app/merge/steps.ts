@@ -1,22 +1,11 @@
-// Merge steps in a recipe: finding one, putting an edited one back, and whether one can be run yet.
+// What a merge step says: its marks, and whether it can be run yet.
 
 import { toIndices } from '../../core/vertex-set';
-import { stepById } from '../../recipe/edit';
-import type { MergeStep, Recipe } from '../../recipe/recipe';
+import type { MergeStep } from '../../recipe/recipe';
 import type { Mark } from '../../tools/merge/host';
 import type { MergeSide } from '../../tools/merge/pins';
 
 export type OptimalBoundary = NonNullable<MergeStep['optimalBoundary']>;
-
-export function mergeStepById(recipe: Recipe, id: string): MergeStep | undefined {
-  const step = stepById(recipe, id);
-  return step?.type === 'merge' ? step : undefined;
-}
-
-export const withMergeStep = (recipe: Recipe, step: MergeStep): Recipe => ({
-  ...recipe,
-  steps: recipe.steps.map((each) => (each.id === step.id ? step : each)),
-});
 
 export const NO_MARKS: OptimalBoundary = { sourceRegion: [], feature: [], targetRegion: [] };
 

@@ -1,4 +1,5 @@
 import { LissomError } from '../../core/errors';
+import type { Model } from '../../core/model';
 import type { Groom } from '../../core/strands';
 import { decode } from '../text-scanner';
 import { writeAlembic } from './alembic';
@@ -34,15 +35,16 @@ const HELP = 'Open a .hair file, or an OBJ with lines (“l”).';
 /**
  * Strands of a .hair file or of the lines of an OBJ, in the file's own unit.
  *
+ * @param mesh  what `readModel` made of the file, if that is known already
  * @throws LissomError `file-empty`, `file-truncated`, `file-damaged`, `count-too-large`, `no-strands`,
  *                     `format-unsupported`
  */
-export function readStrands(bytes: Uint8Array, fileName: string): Groom {
+export function readStrands(bytes: Uint8Array, fileName: string, mesh?: Model): Groom {
   const name = fileName.replace(/^.*[/\\]/, '');
   if (bytes.length === 0)
     throw new LissomError('file-empty', `${name} is empty: 0 bytes. Copy or export it again.`);
   if (isHair(bytes)) return readHair(bytes, name);
-  if (isObj(bytes)) return readObjLines(bytes, name);
+  if (isObj(bytes)) return readObjLines(bytes, name, mesh);
   const message = `${name} is in a format whose strands cannot be read here. ${HELP}`;
   throw new LissomError('format-unsupported', message);
 }

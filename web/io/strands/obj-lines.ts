@@ -59,10 +59,11 @@ export function hasObjLines(bytes: Uint8Array): boolean {
  * The lines of an OBJ as strands, its faces as the head. Lines that begin where the one before ended are one strand,
  * as programs that write each segment by itself mean it.
  *
+ * @param mesh  what `readModel` made of the file, if that is known already
  * @throws LissomError `file-not-a-mesh`, `no-strands`, `file-damaged`, `file-too-large`, `file-unfolds-too-far`
  */
-export function readObjLines(bytes: Uint8Array, name: string): Groom {
-  const { model } = readObj(bytes, name);
+export function readObjLines(bytes: Uint8Array, name: string, mesh?: Model): Groom {
+  const model = mesh?.origin?.format === 'obj' ? mesh : readObj(bytes, name).model;
   const budget = new Budget('strands', name, bytes.length);
   const { offsets, vertices } = readLines(bytes, name, vertexCount(model), budget);
   budget.take(24 * vertices.length);

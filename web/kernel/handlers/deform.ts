@@ -1,13 +1,10 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
-import type { DeformId } from '../contract';
-import type { Handlers } from '../serve';
+import type { DeformKernel } from '../contract/deform';
+import type { HandlersOf } from '../serve';
 import type { Registry } from './registry';
 
 /** Deformation sessions: factored in slices, then asked as often as the pointer moves. */
-export function deformHandlers(
-  wasm: KernelModule,
-  registry: Registry,
-): Pick<Handlers, 'prepareDeform' | 'deform'> {
+export function deformHandlers(wasm: KernelModule, registry: Registry): HandlersOf<DeformKernel> {
   return {
     async prepareDeform({ model, roi, handles, options }, job) {
       const mesh = registry.get(model, wasm.WorkingMesh);
@@ -18,7 +15,7 @@ export function deformHandlers(
           () => session.fraction(),
         );
         const figures = session.figures();
-        return { deform: registry.add<DeformId>(session), ...figures, peakBytes: wasm.peakBytes() };
+        return { id: registry.add(session), ...figures, peakBytes: wasm.peakBytes() };
       } catch (error) {
         session.delete();
         throw error;

@@ -1,13 +1,10 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
-import type { HairId } from '../contract';
-import type { Handlers } from '../serve';
+import type { HairKernel } from '../contract/hair';
+import type { HandlersOf } from '../serve';
 import type { Registry } from './registry';
 
 /** Hair: heads prepared in slices, styled at once, grown in slices. */
-export function hairHandlers(
-  wasm: KernelModule,
-  registry: Registry,
-): Pick<Handlers, 'openHair' | 'styleHair' | 'growHair' | 'hairField' | 'hairConstraints'> {
+export function hairHandlers(wasm: KernelModule, registry: Registry): HandlersOf<HairKernel> {
   return {
     async openHair({ model, scalp, resolution, up }, job) {
       const session = new wasm.HairSession(registry.get(model, wasm.WorkingMesh), scalp, resolution, up);
@@ -17,7 +14,7 @@ export function hairHandlers(
           () => session.fraction(),
         );
         const described = session.describe();
-        return { hair: registry.add<HairId>(session), ...described, peakBytes: wasm.peakBytes() };
+        return { id: registry.add(session), ...described, peakBytes: wasm.peakBytes() };
       } catch (error) {
         session.delete();
         throw error;

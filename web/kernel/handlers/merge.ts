@@ -1,13 +1,10 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
-import type { MergeId } from '../contract';
-import type { Handlers } from '../serve';
+import type { MergeKernel } from '../contract/merge';
+import type { HandlersOf } from '../serve';
 import type { Registry } from './registry';
 
 /** Merge sessions: factored in slices, then asked as often as a key moves. */
-export function mergeHandlers(
-  wasm: KernelModule,
-  registry: Registry,
-): Pick<Handlers, 'prepareMerge' | 'merge' | 'mapRegions' | 'loopsAround'> {
+export function mergeHandlers(wasm: KernelModule, registry: Registry): HandlersOf<MergeKernel> {
   return {
     async prepareMerge({ source, target, boundaries, optimalBoundary, roi, handles, options }, job) {
       const meshes = [
@@ -23,7 +20,7 @@ export function mergeHandlers(
           () => session.fraction(),
         );
         const figures = session.figures();
-        return { merge: registry.add<MergeId>(session), ...figures, peakBytes: wasm.peakBytes() };
+        return { id: registry.add(session), ...figures, peakBytes: wasm.peakBytes() };
       } catch (error) {
         session.delete();
         throw error;

@@ -1,19 +1,16 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
-import type { ModelId } from '../contract';
-import type { Handlers } from '../serve';
+import type { ModelKernel } from '../contract/model';
+import type { HandlersOf } from '../serve';
 import type { Registry } from './registry';
 
 /** Models: opened, measured, released. */
-export function modelHandlers(
-  wasm: KernelModule,
-  registry: Registry,
-): Pick<Handlers, 'openModel' | 'measure' | 'release'> {
+export function modelHandlers(wasm: KernelModule, registry: Registry): HandlersOf<ModelKernel> {
   return {
     openModel({ positions, faceOffsets, faceVertices }) {
       const mesh = new wasm.WorkingMesh(positions, faceOffsets, faceVertices);
       try {
         const described = mesh.describe();
-        return { model: registry.add<ModelId>(mesh), ...described };
+        return { id: registry.add(mesh), ...described };
       } catch (error) {
         mesh.delete();
         throw error;

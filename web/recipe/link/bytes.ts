@@ -3,9 +3,6 @@
 
 import { damaged } from './errors';
 
-/** Greatest |integer| that `zigzag` carries exactly. */
-export const MAX_INTEGER = 2 ** 51;
-
 export class ByteWriter {
   #bytes: Uint8Array = new Uint8Array(256);
   #length = 0;

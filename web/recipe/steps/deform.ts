@@ -46,4 +46,7 @@ export const deformStep = v.strictObject({
 
 export type DeformStep = v.InferOutput<typeof deformStep>;
 export type DeformHandle = DeformStep['handles'][number];
-export const DEFORM_OPTIONS = v.parse(options, {});
+
+/** A deform step as it starts: everything may move, nothing is held yet. */
+export const newDeformStep = (id: string, model: string): DeformStep =>
+  v.parse(deformStep, { id, type: 'deform', model, handles: [] });

@@ -4,13 +4,22 @@ import { type Finding, LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
 import { vertexCount, withPositions } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
-import type { DeformHandle, DeformStep } from '../../recipe/recipe';
+import type { DeformHandle, DeformStep } from '../../recipe/steps/deform';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
 import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
 const UNTIMED = { assemble: 0, factor: 0, solve: 0, rotate: 0, reconstruct: 0 };
 
-export const deformRunner: StepRunner<DeformStep> = {
+export interface DeformFigures {
+  readonly free: number;
+  readonly degenerate: number;
+  readonly iterations: number;
+}
+
+export const deformRunner = {
+  /** The one being dragged, and the ones to switch back to. */
+  keeps: { prepareDeform: 3 },
+
   check(step, path, [input]) {
     if (!input) return;
     checkVertices(step.roi, `${path}.roi`, input);
@@ -27,7 +36,7 @@ export const deformRunner: StepRunner<DeformStep> = {
 
   content: (step) => ({ ...constraints(step), targets: step.handles.map(target) }),
 
-  async run(step, context) {
+  async run(step, context): Promise<StepOutcome<DeformFigures>> {
     const input = context.inputs[0]!;
     const handles = held(step);
     const unheld = step.handles.length - handles.length;
@@ -36,10 +45,11 @@ export const deformRunner: StepRunner<DeformStep> = {
     if (handles.length === 0) return unchanged(context, [...warnings, finding('no-handle', 1)]);
 
     const count = vertexCount(input.model);
-    const prepared = await context.kernel.prepare(
+    const prepared = await context.kernel.hold(
+      'prepareDeform',
       hashValue({ model: input.key, ...constraints(step) }),
       {
-        model: input.opened.model,
+        model: input.opened.id,
         roi: toIndices(step.roi, count),
         handles: handles.map(({ kind, vertices }) => ({
           kind,
@@ -51,7 +61,7 @@ export const deformRunner: StepRunner<DeformStep> = {
     );
     const deformed = await context.kernel.call(
       'deform',
-      { deform: prepared.deform, targets: targetsOf(handles, input.model.positions), settle: context.settle },
+      { deform: prepared.id, targets: targetsOf(handles, input.model.positions), settle: context.settle },
       signalOf(context),
     );
     return {
@@ -62,7 +72,7 @@ export const deformRunner: StepRunner<DeformStep> = {
       warnings: [...warnings, ...prepared.warnings, ...deformed.warnings],
     };
   },
-};
+} satisfies StepRunner<DeformStep>;
 
 /** Handles with vertices; one painted and wholly erased again holds nothing. */
 const held = (step: DeformStep): DeformHandle[] =>
@@ -102,7 +112,7 @@ function translation(vertex: number, position: readonly number[], rest: Float64A
   return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...by, 1];
 }
 
-const unchanged = ({ inputs }: StepContext, warnings: readonly Finding[]): StepOutcome => ({
+const unchanged = ({ inputs }: StepContext, warnings: readonly Finding[]): StepOutcome<DeformFigures> => ({
   model: inputs[0]!.model,
   figures: { free: 0, degenerate: 0, iterations: 0 },
   seconds: UNTIMED,

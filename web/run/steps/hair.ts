@@ -5,12 +5,13 @@ import { hashValue } from '../../core/hash';
 import { hairColor } from '../../core/melanin';
 import { type Model, vertexCount } from '../../core/model';
 import type { StrandLook, Strands } from '../../core/strands';
-import { toIndices, type VertexSet } from '../../core/vertex-set';
-import type { FieldVectors, HairOptions, HairStyle, OpenedHair } from '../../kernel/contract';
-import type { HairStep } from '../../recipe/recipe';
+import { toIndices } from '../../core/vertex-set';
+import type { FieldVectors, HairOptions, HairStyle, OpenedHair } from '../../kernel/contract/hair';
+import { type HairStep, newHairStep } from '../../recipe/steps/hair';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { checkReach } from './hair/reach';
-import type { StepContext, StepRunner } from './step-runner';
+import { scalpOf } from './hair/scalp';
+import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
 /** Strands that follow a stroke while it is being drawn: the first of all of them. */
 export const PREVIEW_STRANDS = 4000;
@@ -20,7 +21,25 @@ const THICKNESS = 0.08 / 240;
 const WHOLE_HEAD = 100_000;
 const THICKEST = 2;
 
-export const hairRunner: StepRunner<HairStep> = {
+export interface HairFigures {
+  readonly constraints: number;
+  readonly grid: readonly [number, number, number];
+  readonly strands: number;
+  readonly insideHead: number;
+  readonly shortStrands: number;
+  /** Per ponytail: which share of the strands of its region pass through its first cross-section. */
+  readonly gathered: readonly number[];
+}
+
+/** What a hair step's strands follow, and the volume they may fill. */
+export interface HairField extends FieldVectors, Pick<OpenedHair, 'grid' | 'low' | 'high'> {
+  /** What the field was asked for: by the style, then by the scalp. */
+  readonly constraints: FieldVectors;
+}
+
+export const hairRunner = {
+  keeps: { openHair: 2 },
+
   check(step, path, [input]) {
     if (!input) return;
     if (step.scalp) checkVertices(step.scalp, `${path}.scalp`, input);
@@ -30,23 +49,21 @@ export const hairRunner: StepRunner<HairStep> = {
 
   vertexCount: ([input]) => input?.vertices,
 
-  content: ({ scalp, length, ...step }) => ({
+  content: ({ id: _, material: __, scalp, length, ...step }) => ({
     ...step,
     ...styleOf(step),
-    id: undefined,
     scalp: scalp && vertexSetKey(scalp),
     length: { ...length, map: length.map.map(({ vertices, factor }) => [vertexSetKey(vertices), factor]) },
   }),
 
-  async run(step, context) {
+  async run(step, context): Promise<StepOutcome<HairFigures>> {
     const { model } = context.inputs[0]!;
     const signal = context.signal ? { signal: context.signal } : {};
     const { opened, styled } = await styleHead(step, context);
-    const { hair } = opened;
     const count = context.settle ? step.strands.count : Math.min(step.strands.count, PREVIEW_STRANDS);
     const grown = await context.kernel.call(
       'growHair',
-      { hair, from: 0, count, options: optionsOf(step, model) },
+      { hair: opened.id, from: 0, count, options: optionsOf(step, model) },
       { ...signal, onProgress: (fraction) => context.onProgress(0.4 + 0.6 * fraction) },
     );
     const { offsets, points, origin, rootUvs, groups } = grown;
@@ -57,7 +74,7 @@ export const hairRunner: StepRunner<HairStep> = {
       origin: [x, y, z],
       rootUvs,
       groups,
-      look: lookOf(step, opened),
+      look: lookOf(PLAIN, thicknessOf(step.strands.count, opened.headHeight)),
     };
     return {
       model,
@@ -77,40 +94,63 @@ export const hairRunner: StepRunner<HairStep> = {
       warnings: styled.warnings,
     };
   },
-};
+
+  /** The look: strands are grown with the plain one, which has the thickness that suits them. */
+  finish(step, outcome): StepOutcome {
+    const { strands } = outcome;
+    if (!strands) return outcome;
+    return { ...outcome, strands: { ...strands, look: lookOf(step.material, strands.look.thickness) } };
+  },
+
+  questions: {
+    /** The field at every `stride`-th node along each axis, for showing it. */
+    async field(
+      step: HairStep,
+      context: StepContext,
+      { stride }: { readonly stride: number },
+    ): Promise<HairField> {
+      const { opened } = await styleHead(step, context);
+      const { grid, low, high, id: hair } = opened;
+      const signal = context.signal ? { signal: context.signal } : {};
+      const field = await context.kernel.call('hairField', { hair, stride }, signal);
+      const constraints = await context.kernel.call('hairConstraints', { hair }, signal);
+      return { grid, low, high, constraints, ...field };
+    },
+  },
+} satisfies StepRunner<HairStep>;
+
+const PLAIN = newHairStep('plain', 'plain').material;
 
 /** The head ready for hair, with the step's style. */
 async function styleHead(step: HairStep, { inputs, kernel, signal: stop, onProgress }: StepContext) {
   const input = inputs[0]!;
   checkReach(step, input.model);
   const signal = stop ? { signal: stop } : {};
-  const scalp = scalpOf(step, input.model);
   const { resolution } = step.grid;
   const up = input.model.upAxis ?? 'y';
-  const headKey = hashValue({ model: input.key, scalp: scalp.key, resolution, up });
-  const opened = await kernel.openHair(
-    headKey,
-    { model: input.opened.model, scalp: scalp.vertices(), resolution, up },
+  const opened = await kernel.hold(
+    'openHair',
+    hashValue({ model: input.key, scalp: scalpKey(step, input.model), resolution, up }),
+    { model: input.opened.id, scalp: scalpOf(step, input.model), resolution, up },
     { ...signal, onProgress: (fraction) => onProgress(0.3 * fraction) },
   );
-  const style = { hair: opened.hair, style: styleArgs(step) };
-  const styled = await kernel.styleHair(headKey, hashValue(styleOf(step)), style, signal);
+  const style = { hair: opened.id, style: styleArgs(step) };
+  const styled = await kernel.hold('styleHair', hashValue(styleOf(step)), style, {
+    ...signal,
+    of: opened.id,
+  });
   return { opened, styled };
 }
 
-/** What a hair step's strands follow, and the volume they may fill. */
-export interface HairField extends FieldVectors, Pick<OpenedHair, 'grid' | 'low' | 'high'> {
-  /** What the field was asked for: by the style, then by the scalp. */
-  readonly constraints: FieldVectors;
-}
-
-export async function hairField(step: HairStep, context: StepContext, stride: number): Promise<HairField> {
-  const { opened } = await styleHead(step, context);
-  const { grid, low, high, hair } = opened;
-  const signal = context.signal ? { signal: context.signal } : {};
-  const field = await context.kernel.call('hairField', { hair, stride }, signal);
-  const constraints = await context.kernel.call('hairConstraints', { hair }, signal);
-  return { grid, low, high, constraints, ...field };
+/** @throws LissomError `scalp-missing` */
+function scalpKey({ scalp }: HairStep, { name, vertexSets }: Model): string {
+  const set = scalp ?? vertexSets?.scalp;
+  if (set) return vertexSetKey(set);
+  throw new LissomError(
+    'scalp-missing',
+    `${JSON.stringify(name)} has no scalp, so hair does not know where to grow. ` +
+      'Paint a scalp on it, or choose a head that brings one.',
+  );
 }
 
 /** What the field depends on. Names and hiding are for the eye only. */
@@ -141,22 +181,6 @@ function styleArgs(step: HairStep): HairStyle {
   };
 }
 
-/** The step's own scalp, or the one that the model brings. */
-function scalpOf(step: HairStep, model: Model): { readonly key: string; vertices(): Uint32Array } {
-  if (step.scalp) {
-    const set: VertexSet = step.scalp;
-    return { key: vertexSetKey(set), vertices: () => toIndices(set, vertexCount(model)) };
-  }
-  const brought = model.vertexSets?.scalp;
-  if (!brought)
-    throw new LissomError(
-      'scalp-missing',
-      `${JSON.stringify(model.name)} has no scalp, so hair does not know where to grow. ` +
-        'Paint a scalp on it, or choose a head that brings one.',
-    );
-  return { key: hashValue([...brought]), vertices: () => brought };
-}
-
 function optionsOf({ strands, length, volume, detail }: HairStep, model: Model): HairOptions {
   const { seed, step } = strands;
   return {
@@ -185,9 +209,12 @@ export function lengthFactors(parts: HairStep['length']['map'], count: number): 
 const thicknessOf = (count: number, headHeight: number): number =>
   THICKNESS * headHeight * Math.min(THICKEST, Math.max(1, Math.sqrt(WHOLE_HEAD / Math.max(1, count))));
 
-const lookOf = ({ material, strands }: HairStep, { headHeight }: OpenedHair): StrandLook => ({
-  color: material.color?.toLowerCase() ?? hairColor(material.melanin, material.redness),
-  colorVariation: material.colorVariation,
-  thickness: material.thickness ?? thicknessOf(strands.count, headHeight),
-  taper: material.taper,
+const lookOf = (
+  { color, melanin, redness, colorVariation, thickness, taper }: HairStep['material'],
+  plainThickness: number,
+): StrandLook => ({
+  color: color?.toLowerCase() ?? hairColor(melanin, redness),
+  colorVariation,
+  thickness: thickness ?? plainThickness,
+  taper,
 });

@@ -1,18 +1,35 @@
 // The merge step: cut and factored once per set of boundaries, then only the keys change.
 
+import { IDENTITY } from '../../core/affine';
 import { LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
 import { vertexCount } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
-import type { PaintedRegions } from '../../kernel/contract';
-import type { MergeStep } from '../../recipe/recipe';
-import { mergedModel } from '../merged-model';
+import type { MapPlacement, Merged, PaintedRegions, RegionMaps } from '../../kernel/contract/merge';
+import type { MergeStep } from '../../recipe/steps/merge';
+import type { ModelResult } from '../types';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
-import type { StepRunner } from './step-runner';
+import { mergedModel } from './merge/merged-model';
+import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
-const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+export interface MergeFigures {
+  readonly free: number;
+  readonly degenerate: number;
+  /** Of an optimal boundary: that of the region's edge first, then after each round. */
+  readonly energy?: readonly number[];
+  readonly placement?: MapPlacement;
+  /** Of given boundaries: the keys used for each, found ones included. */
+  readonly keys?: readonly (readonly [number, number][])[];
+  readonly seamVertices: number;
+  readonly eulerCharacteristic: number;
+  readonly seam: Omit<Merged['seam'], 'vertices'>;
+  readonly sourceTurned: boolean;
+}
 
-export const mergeRunner: StepRunner<MergeStep> = {
+export const mergeRunner = {
+  /** The one whose keys are moved, and the ones to switch back to. */
+  keeps: { prepareMerge: 3 },
+
   check(step, path, [source, target]) {
     const { optimalBoundary } = step;
     if (optimalBoundary && step.boundaries.length > 0)
@@ -67,16 +84,17 @@ export const mergeRunner: StepRunner<MergeStep> = {
 
   content: (step) => ({ ...prepared(step), keys: step.boundaries.map(({ keys }) => keys) }),
 
-  async run(step, context) {
-    const [source, target] = context.inputs as [(typeof context.inputs)[0], (typeof context.inputs)[0]];
-    const signal = context.signal ? { signal: context.signal } : {};
+  async run(step, context): Promise<StepOutcome<MergeFigures>> {
+    const [source, target] = sidesOf(context);
+    const signal = signalOf(context);
     const sources = vertexCount(source.model);
     const targets = vertexCount(target.model);
-    const ready = await context.kernel.prepareMerge(
+    const ready = await context.kernel.hold(
+      'prepareMerge',
       hashValue({ source: source.key, target: target.key, ...prepared(step) }),
       {
-        source: source.opened.model,
-        target: target.opened.model,
+        source: source.opened.id,
+        target: target.opened.id,
         boundaries: step.boundaries.map((boundary) => ({
           source: Uint32Array.from(boundary.source),
           target: Uint32Array.from(boundary.target),
@@ -105,7 +123,7 @@ export const mergeRunner: StepRunner<MergeStep> = {
       : step.boundaries.map((boundary) => Uint32Array.from(boundary.keys.flat()));
     const merged = await context.kernel.call(
       'merge',
-      { merge: ready.merge, keys, settle: context.settle },
+      { merge: ready.id, keys, settle: context.settle },
       signal,
     );
     const { vertices, ...dihedrals } = merged.seam;
@@ -115,7 +133,7 @@ export const mergeRunner: StepRunner<MergeStep> = {
         free: ready.free,
         degenerate: ready.degenerate,
         ...(step.optimalBoundary
-          ? { energy: [...ready.energies], placement: ready.placement }
+          ? { energy: [...ready.energies], ...(ready.placement && { placement: ready.placement }) }
           : { keys: merged.keys.map(pairs) }),
         seamVertices: vertices,
         eulerCharacteristic: merged.eulerCharacteristic,
@@ -127,9 +145,44 @@ export const mergeRunner: StepRunner<MergeStep> = {
       warnings: [...ready.warnings, ...merged.warnings],
     };
   },
+
+  questions: {
+    /** The plane maps that the optimal boundary is sought in, and the placement found for them. */
+    maps({ optimalBoundary }: MergeStep, context: StepContext, _: object): Promise<RegionMaps> {
+      const [source, target] = sidesOf(context);
+      const { placement: __, ...marks } = optimalBoundary ?? NO_MARKS;
+      const args = {
+        source: source.opened.id,
+        target: target.opened.id,
+        regions: paintedRegions(marks, vertexCount(source.model), vertexCount(target.model)),
+      };
+      return context.kernel.call('mapRegions', args, signalOf(context));
+    },
+
+    /** Closed paths around painted vertices of one of the two models, the painted side to their left. */
+    loopsAround(
+      _: MergeStep,
+      context: StepContext,
+      { side, vertices }: { readonly side: 'source' | 'target'; readonly vertices: Uint32Array },
+    ): Promise<readonly Uint32Array[]> {
+      const [source, target] = sidesOf(context);
+      const { id } = (side === 'source' ? source : target).opened;
+      return context.kernel.call('loopsAround', { model: id, vertices }, signalOf(context));
+    },
+  },
+} satisfies StepRunner<MergeStep>;
+
+const NO_MARKS: NonNullable<MergeStep['optimalBoundary']> = {
+  sourceRegion: [],
+  feature: [],
+  targetRegion: [],
 };
 
-export const paintedRegions = (
+const sidesOf = ({ inputs }: StepContext) => inputs as [source: ModelResult, target: ModelResult];
+
+const signalOf = ({ signal }: StepContext) => (signal ? { signal } : {});
+
+const paintedRegions = (
   { sourceRegion, feature, targetRegion, placement, rounds }: NonNullable<MergeStep['optimalBoundary']>,
   sources: number,
   targets: number,

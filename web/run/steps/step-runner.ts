@@ -2,7 +2,7 @@ import type { Finding } from '../../core/errors';
 import type { Model } from '../../core/model';
 import type { Strands } from '../../core/strands';
 import type { Step } from '../../recipe/recipe';
-import type { KernelSession } from '../session';
+import type { Capacities, KernelSession } from '../session';
 import type { ModelResult } from '../types';
 
 /** What a step is run with. */
@@ -17,11 +17,14 @@ export interface StepContext {
   readonly onProgress: (fraction: number) => void;
 }
 
-/** What a step leaves: a model, and its own figures for the report. */
-export interface StepOutcome {
+/** What a step leaves, and its own figures for the report. */
+export interface StepOutcome<Figures extends object = object> {
+  /** The model in the place of its main input. */
   readonly model: Model;
+  /** By the names that the table has for its outputs, where it leaves several; `model` is one of them. */
+  readonly models?: Readonly<Record<string, Model>>;
   readonly strands?: Strands;
-  readonly figures: Readonly<Record<string, unknown>>;
+  readonly figures: Figures;
   readonly seconds: Readonly<Record<string, number>>;
   readonly peakBytes: number;
   readonly warnings: readonly Finding[];
@@ -37,13 +40,24 @@ export interface StepRunner<S extends Step> {
    */
   check(step: S, path: string, inputs: readonly (InputShape | undefined)[]): void;
 
-  /** Vertices of the result where they are known without running it. */
+  /** Vertices of what it leaves, of each where it leaves several, where they are known without running it. */
   vertexCount(inputs: readonly (InputShape | undefined)[]): number | undefined;
 
   /** All of the step that its result depends on, beside its inputs: part of the key it is cached by. */
   content(step: S): unknown;
 
   run(step: S, context: StepContext): Promise<StepOutcome>;
+
+  /** Puts on what costs nothing, so that what is cached need not know of it: `content` leaves it out. */
+  finish?(step: S, outcome: StepOutcome): StepOutcome;
+
+  /** What may be asked of a step beside its result, by name (`Runner.ask`). Its inputs are opened by then. */
+  readonly questions?: Readonly<
+    Record<string, (step: S, context: StepContext, args: never) => Promise<unknown>>
+  >;
+
+  /** How many of the things that the kernel holds for such steps are kept. */
+  readonly keeps?: Capacities;
 }
 
 export interface InputShape {

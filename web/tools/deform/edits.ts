@@ -7,10 +7,6 @@ import { add, IDENTITY, isIdentity, type Mat4, multiply, pointAt, transform, tra
 import { rigidFit } from '../rigid-fit';
 import type { DeformEdit, DeformScene } from './host';
 
-/** The recipe form of a set: the schema's type is not readonly, the value is never changed all the same. */
-export const recipeSet = (vertices: Iterable<number>, count: number): DeformStep['roi'] =>
-  fromIndices(vertices, count) as DeformStep['roi'];
-
 export const withHandle = (step: DeformStep, index: number, handle: DeformHandle): DeformStep => ({
   ...step,
   handles: step.handles.map((old, i) => (i === index ? handle : old)),
@@ -65,7 +61,7 @@ export function setHandleVertices(
     const kept: DeformHandle =
       handle.kind === 'point'
         ? handle
-        : { ...handle, vertices: isOwn ? recipeSet(own, count) : without(handle.vertices, own, count) };
+        : { ...handle, vertices: isOwn ? fromIndices(own, count) : without(handle.vertices, own, count) };
     if (isEmpty(kept)) return;
     if (isOwn) selected = handles.length;
     handles.push(kept);
@@ -73,7 +69,7 @@ export function setHandleVertices(
   if (index === null && own.size > 0) {
     selected = handles.length;
     const matrix = [...rigidFit(rest, posed, Uint32Array.from(own))];
-    handles.push({ kind: 'region', vertices: recipeSet(own, count), matrix, name });
+    handles.push({ kind: 'region', vertices: fromIndices(own, count), matrix, name });
   }
   return { step: { ...step, handles }, selected };
 }
@@ -102,7 +98,7 @@ const contains = (set: DeformHandle['vertices'], vertex: number, count: number):
 function without(set: DeformHandle['vertices'], gone: ReadonlySet<number>, count: number) {
   const indices = toIndices(set, count);
   return indices.some((v) => gone.has(v))
-    ? recipeSet(
+    ? fromIndices(
         indices.filter((v) => !gone.has(v)),
         count,
       )

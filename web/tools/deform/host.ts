@@ -1,4 +1,5 @@
 import type { DeformStep } from '../../recipe/recipe';
+import type { MarkersPort } from '../../view/overlays/types';
 import type { ViewportPort } from '../../view/types';
 import type { PaintHost, PaintScene } from '../brush-stroke';
 
@@ -35,12 +36,13 @@ export interface DeformEdit {
 
 type ToolView = Pick<
   ViewportPort,
-  'pick' | 'pickMarker' | 'verticesWithin' | 'pointOnScreenPlane' | 'pixelSize' | 'setBrush'
+  'pick' | 'verticesWithin' | 'pointOnScreenPlane' | 'pixelSize' | 'setBrush'
 >;
 
 /** What deform tools need of the app: one scene in, edits out. Tests use doubles. */
 export interface DeformHost extends PaintHost {
   readonly view: ToolView;
+  readonly markers: Pick<MarkersPort, 'pickMarker'>;
   /** `null` while no model is open. */
   scene(): DeformScene | null;
   /** A name for the next new handle. */

@@ -1,8 +1,8 @@
 // What the brush paints in a deform step.
 
-import { toIndices } from '../../core/vertex-set';
+import { fromIndices, toIndices } from '../../core/vertex-set';
 import { PaintTool } from '../paint-tool';
-import { recipeSet, setHandleVertices } from './edits';
+import { setHandleVertices } from './edits';
 import type { DeformHost, DeformScene } from './host';
 
 /** The region of interest. Painting while it is everything starts it anew; emptied, it stays empty. */
@@ -14,7 +14,7 @@ export const paintRoi = (host: DeformHost): PaintTool<DeformScene> =>
       base: step.roi === 'all' && !erase ? new Uint32Array() : toIndices(step.roi, rest.length / 3),
       commit: (verb, vertices) =>
         host.commit(`${verb}-roi`, {
-          step: { ...step, roi: recipeSet(vertices, rest.length / 3) },
+          step: { ...step, roi: fromIndices(vertices, rest.length / 3) },
           selected,
         }),
     }),

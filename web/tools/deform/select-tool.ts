@@ -53,7 +53,7 @@ export function grab(
   scene: DeformScene,
   sample: PointerSample,
 ): { readonly index: number; readonly grip: Vec3 } | null {
-  const marker = host.view.pickMarker(sample.x, sample.y);
+  const marker = host.markers.pickMarker(sample.x, sample.y);
   if (marker !== null) {
     const index = handleOfMarker(marker);
     const handle = scene.step.handles[index];

@@ -1,8 +1,9 @@
 import type { HairStep } from '../../recipe/recipe';
-import type { StyleCurve } from '../../view/hair/types';
+import type { CurvesPort } from '../../view/overlays/types';
 import type { ViewportPort } from '../../view/types';
 import type { Line } from '../stroke/polyline';
 import type { SupportSurface } from '../stroke/support';
+import type { CurveKind } from './style';
 
 /** The open hair step and the head it works on, as tools read them. */
 export interface HairScene {
@@ -41,12 +42,13 @@ export interface HairEdit {
 
 export type HairToolView = Pick<
   ViewportPort,
-  'pick' | 'pointOnScreenPlane' | 'project' | 'pixelSize' | 'camera' | 'pickCurve'
+  'pick' | 'pointOnScreenPlane' | 'project' | 'pixelSize' | 'camera'
 >;
 
 /** What hair tools need of the app: one scene in, edits out. Tests use doubles. */
 export interface HairHost {
   readonly view: HairToolView;
+  readonly curves: Pick<CurvesPort, 'pickCurve'>;
   /** `null` while no head is open. */
   scene(): HairScene | null;
   /** Shows an edit under way; nothing is history yet. */
@@ -61,7 +63,7 @@ export interface HairHost {
   /** Builds supporting surfaces for the view as it is now. */
   rebuildSupport(): void;
   /** Shows a stroke under way that is no edit yet; `null` ends it. */
-  showStroke(stroke: { readonly line: Line; readonly kind: StyleCurve['kind'] } | null): void;
+  showStroke(stroke: { readonly line: Line; readonly kind: CurveKind } | null): void;
   /** A short friendly word about a gesture that did nothing. */
   say(remark: HairRemark): void;
   /** Whether the pointer is over something a drawing tool can start on. */

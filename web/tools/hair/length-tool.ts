@@ -1,4 +1,4 @@
-import { fromIndices, type VertexSet } from '../../core/vertex-set';
+import { fromIndices } from '../../core/vertex-set';
 import type { HairStep } from '../../recipe/recipe';
 import type { PaintHost, PaintScene } from '../brush-stroke';
 import { PaintTool, type PaintVerb } from '../paint-tool';
@@ -53,15 +53,12 @@ export function lengthMapOf(factors: Float32Array): LengthMap {
   });
   return [...byFactor]
     .toSorted(([a], [b]) => a - b)
-    .map(([factor, vertices]) => ({ vertices: setOf(vertices, factors.length), factor }));
+    .map(([factor, vertices]) => ({ vertices: fromIndices(vertices, factors.length), factor }));
 }
 
 const DIGITS = 3;
 
 const same = (a: number, b: number): boolean => a.toFixed(DIGITS) === b.toFixed(DIGITS);
-
-const setOf = (vertices: number[], count: number) =>
-  fromIndices(vertices, count) as VertexSet as LengthMap[number]['vertices'];
 
 function verticesWhere(factors: Float32Array, is: (factor: number) => boolean): Uint32Array {
   const out: number[] = [];

@@ -1,7 +1,7 @@
 // The primitives of a hair step: which there are, how they are numbered, what curves they are made of.
 
 import type { HairStep } from '../../recipe/recipe';
-import type { StyleCurve } from '../../view/hair/types';
+import type { Curve } from '../../view/overlays/types';
 import type { Vec3 } from '../../view/types';
 
 export type Point = [number, number, number];
@@ -132,21 +132,33 @@ export function readCurveId(id: string): { readonly index: number; readonly part
   return { index: Number(index), part: part as Part };
 }
 
+/** What a curve is drawn as: a part of a style, or a hint to one. */
+export type CurveKind = 'stream' | 'parting' | 'spine' | 'section' | 'profile' | 'hint';
+
+export const CURVE_LOOKS: Readonly<Record<CurveKind, Pick<Curve, 'tint' | 'plain'>>> = {
+  stream: { tint: 'blue' },
+  parting: { tint: 'yellow' },
+  spine: { tint: 'violet' },
+  section: { tint: 'green' },
+  profile: { tint: 'cyan' },
+  hint: { tint: 'coral', plain: true },
+};
+
 /** What the view draws of a style. A section is drawn as the ring it is. */
-export function curvesOf(style: Style, selected: number | null): StyleCurve[] {
+export function curvesOf(style: Style, selected: number | null): Curve[] {
   return primitivesOf(style).flatMap((primitive, index) =>
     primitive.item.hidden
       ? []
       : partsOf(primitive).map(({ part, points }) => ({
           id: curveId(index, part),
           points: part === 'section' ? [...points, points[0]!] : points,
-          kind: curveKind(primitive.kind, part),
+          ...CURVE_LOOKS[curveKind(primitive.kind, part)],
           selected: index === selected,
         })),
   );
 }
 
-function curveKind(kind: PrimitiveKind, part: Part): StyleCurve['kind'] {
+function curveKind(kind: PrimitiveKind, part: Part): CurveKind {
   if (kind !== 'ponytail') return kind;
   return part === 'spine' || part === 'section' ? part : 'profile';
 }

@@ -1,6 +1,6 @@
 import type { MergeStep } from '../../recipe/recipe';
-import type { RegionPaint, ViewportPort } from '../../view/types';
-import type { PaintHost, PaintScene } from '../brush-stroke';
+import type { ViewportPort } from '../../view/types';
+import type { Paint, PaintHost, PaintScene } from '../brush-stroke';
 import type { PaintVerb } from '../paint-tool';
 import type { Loop } from './loops';
 import type { MergeBoundary, MergeSide, Pin, SidePositions } from './pins';
@@ -38,7 +38,7 @@ export interface MergeHost extends PaintHost {
   /** `null` while a model is missing. */
   scene(): MergeScene | null;
   commitMark(mark: Mark, verb: PaintVerb, vertices: Uint32Array): void;
-  showPaint(paint: Pick<RegionPaint, 'kind' | 'vertices'> | null): void;
+  showPaint(paint: Paint | null): void;
   preview(boundaries: readonly MergeBoundary[], selected: number | null): void;
   commit(label: MergeEditLabel, boundaries: readonly MergeBoundary[], selected: number | null): void;
   cancel(): void;

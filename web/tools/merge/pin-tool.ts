@@ -1,5 +1,6 @@
-import type { PointerSample, Vec3 } from '../../view/types';
-import { gap, pointAt } from '../geometry';
+import type { PointerSample } from '../../view/types';
+import { pointAt } from '../geometry';
+import { isHidden } from '../sight';
 import { clickSlop, distance, type Tool } from '../tool';
 import type { MergeHost, MergeScene } from './host';
 import type { Loop } from './loops';
@@ -8,8 +9,6 @@ import { addKey, moveKey, type Pin, pinsOf, removeKey, slot } from './pins';
 /** How near, in CSS pixels, the pointer must come to a pin or a loop. */
 const PIN_REACH = 14;
 const LOOP_REACH = 12;
-/** A place counts as hidden when the surface in front of it is nearer by this part of the distance. */
-const BEHIND = 0.01;
 
 interface Drag {
   readonly scene: MergeScene;
@@ -136,16 +135,10 @@ export class PinTool implements Tool {
       .map((vertex) => {
         const point = pointAt(scene.positions[side], vertex);
         const { x, y, behind } = view.project(point);
-        return { vertex, point, x, y, off: behind ? Infinity : Math.hypot(x - sample.x, y - sample.y) };
+        return { vertex, point, off: behind ? Infinity : Math.hypot(x - sample.x, y - sample.y) };
       })
       .sort((a, b) => a.off - b.off);
     const inReach = places.slice(0, 12).filter(({ off }) => off < Infinity);
-    return inReach.find((place) => !this.#isHidden(place)) ?? inReach[0];
-  }
-
-  #isHidden({ x, y, point }: { readonly x: number; readonly y: number; readonly point: Vec3 }): boolean {
-    const { view } = this.host;
-    const hit = view.pick(x, y);
-    return hit !== null && gap(view.camera.position, point) - hit.distance > BEHIND * hit.distance;
+    return inReach.find((place) => !isHidden(view, place.point)) ?? inReach[0];
   }
 }

@@ -1,6 +1,6 @@
 // The part's plane map laid on the target's by hand: moved, turned, scaled (Fu 3.4.1, step 2). Plane points only.
 
-import type { MapPlacement } from '../../kernel/contract';
+import type { MapPlacement } from '../../kernel/contract/merge';
 
 export type PlanePoint = readonly [number, number];
 export type PlacementHandle = 'move' | 'turn' | 'scale';

@@ -38,7 +38,7 @@ export function readHint(curve: Line, stroke: Line, near: number): Hint | null {
 }
 
 /**
- * The curve after a hint. It keeps its beginning: hair grows from there.
+ * The curve after a hint. It keeps its beginning: what follows it starts there.
  *
  * @param stroke  the hint stroke in model space; a cut does not look at it
  */

@@ -57,7 +57,7 @@ export class SurfaceStroke extends Stroke {
       this.#last = hit.point;
       return hit.point;
     }
-    // Nothing to take a depth from yet: hair starts on the head.
+    // Nothing to take a depth from yet: strokes start on the surface.
     if (!this.#last) return null;
     this.#firstOff = Math.min(this.#firstOff, this.line.length);
     return this.view.pointOnScreenPlane(x, y, this.#last);

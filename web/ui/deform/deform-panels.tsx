@@ -1,17 +1,20 @@
+import { CommandButton } from '../controls/command-button';
+import { ModelPanel } from '../shell/model-panel';
+import { StepsPanel } from '../shell/steps-panel';
 import { EffectPanel } from './effect-panel';
 import { HandlesPanel } from './handles-panel';
 import { MethodPanel } from './method-panel';
-import { ModelPanel } from './model-panel';
 import { PosePanel } from './pose-panel';
 import { RegionPanel } from './region-panel';
-import { StepsPanel } from './steps-panel';
 
 /** The side panel of the deform workspace. */
 export function DeformPanels() {
   return (
     <>
       <ModelPanel />
-      <StepsPanel />
+      <StepsPanel>
+        <CommandButton command="step.apply" kind="solid" />
+      </StepsPanel>
       <RegionPanel />
       <HandlesPanel />
       <PosePanel />

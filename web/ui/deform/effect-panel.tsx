@@ -1,8 +1,10 @@
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { Section } from '../controls/section';
 import { Warnings } from '../shell/warnings';
+import { useDeform } from './use-deform';
 
 /** `+31 %`, `−40 %`, and plain `0 %` for what did not change. */
 function signed(value: number, digits: number): string {
@@ -17,7 +19,8 @@ const isStrained = (stretch: number): boolean => stretch > 1 || stretch < -0.5;
 /** What the edit did, in numbers. */
 export function EffectPanel() {
   const { state } = useApp();
-  const did = state.whatItDid.value;
+  const { state: own } = useDeform();
+  const did = own.whatItDid.value;
   const warnings = state.warnings.value;
   if (!did && warnings.length === 0) return null;
   return (

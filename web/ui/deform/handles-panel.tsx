@@ -1,12 +1,14 @@
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { ItemRow } from '../controls/item-row';
 import { Section } from '../controls/section';
+import { useDeform } from './use-deform';
 
 export function HandlesPanel() {
-  const { state, deform } = useApp();
-  const step = state.step.value;
+  const { state: own, actions: deform } = useDeform();
+  const step = own.step.value;
   if (!step) return null;
   return (
     <Section
@@ -34,10 +36,11 @@ export function HandlesPanel() {
 }
 
 function HandleRow({ index }: { index: number }) {
-  const { state, deform, document } = useApp();
-  const handle = state.step.value?.handles[index];
+  const { state, document } = useApp();
+  const { state: own, actions: deform } = useDeform();
+  const handle = own.step.value?.handles[index];
   if (!handle) return null;
-  const selected = state.selection.value.handle === index;
+  const selected = state.selection.value.item === index;
   const isPoint = handle.kind === 'point';
   return (
     <ItemRow

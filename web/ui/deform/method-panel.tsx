@@ -1,11 +1,12 @@
 import { t } from '../../app/i18n';
-import { useApp } from '../context';
+
 import { Segments, SelectField, SliderField, Switch } from '../controls/fields';
 import { Section } from '../controls/section';
+import { useDeform } from './use-deform';
 
 export function MethodPanel() {
-  const { state, deform } = useApp();
-  const step = state.step.value;
+  const { state: own, actions: deform } = useDeform();
+  const step = own.step.value;
   if (!step) return null;
   const { method, options } = step;
   return (

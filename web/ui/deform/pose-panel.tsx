@@ -1,48 +1,25 @@
-import { t } from '../../app/i18n';
 import { useApp } from '../context';
-import { VectorField } from '../controls/fields';
+
+import { PoseFields } from '../controls/pose-fields';
 import { Section } from '../controls/section';
+import { useDeform } from './use-deform';
 
 /** The selected handle's move, turn and size as numbers. */
 export function PosePanel() {
-  const { state, deform } = useApp();
-  const index = state.selection.value.handle;
-  const handle = index === null ? undefined : state.step.value?.handles[index];
+  const { state } = useApp();
+  const { state: own, actions: deform } = useDeform();
+  const index = state.selection.value.item;
+  const handle = index === null ? undefined : own.step.value?.handles[index];
   const pose = index === null ? undefined : deform.pose(index);
   if (index === null || !handle || !pose) return null;
-  const finish = () => deform.finish();
   return (
     <Section title={deform.handleName(index)}>
-      <VectorField
-        label={t('ui.pose.move')}
-        value={pose.translation}
-        step={0.01}
-        digits={3}
-        onChange={(translation) => deform.setPose(index, { translation }, true)}
-        onCommit={finish}
+      <PoseFields
+        pose={pose}
+        moveOnly={handle.kind === 'point'}
+        onChange={(change) => deform.setPose(index, change, true)}
+        onCommit={() => deform.finish()}
       />
-      {handle.kind === 'region' && (
-        <>
-          <VectorField
-            label={t('ui.pose.turn')}
-            title={t('ui.pose.turn.help')}
-            value={pose.rotation}
-            step={1}
-            digits={1}
-            onChange={(rotation) => deform.setPose(index, { rotation }, true)}
-            onCommit={finish}
-          />
-          <VectorField
-            label={t('ui.pose.size')}
-            value={pose.scale}
-            step={0.01}
-            min={0.001}
-            digits={3}
-            onChange={(scale) => deform.setPose(index, { scale }, true)}
-            onCommit={finish}
-          />
-        </>
-      )}
     </Section>
   );
 }

@@ -1,11 +1,14 @@
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { Section } from '../controls/section';
+import { useDeform } from './use-deform';
 
 export function RegionPanel() {
   const { state } = useApp();
-  const step = state.step.value;
+  const { state: own } = useDeform();
+  const step = own.step.value;
   if (!step) return null;
   const free = state.figures.value.free;
   return (

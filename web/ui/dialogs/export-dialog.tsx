@@ -1,5 +1,5 @@
 import { useState } from 'preact/hooks';
-import type { ExportFormat, StrandChoice } from '../../app/api';
+import type { ExportFormat } from '../../app/api';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
@@ -13,15 +13,16 @@ interface Choice<F extends string> {
 }
 
 export function ExportDialog({ onClose }: { onClose: () => void }) {
-  const { state, files, messages } = useApp();
-  const hasHair = state.workspace.value === 'hair';
-  const [what, setWhat] = useState<'strands' | 'head'>(hasHair ? 'strands' : 'head');
+  const { files, messages } = useApp();
+  const group = files.exportGroup();
+  const [what, setWhat] = useState<'group' | 'model'>(group ? 'group' : 'model');
   const [format, setFormat] = useState<ExportFormat>(files.exportChoices[0]?.format ?? 'glb');
-  const [strands, setStrands] = useState<StrandChoice['format']>(files.strandChoices[0]?.format ?? 'abc');
-  const [guidesOnly, setGuidesOnly] = useState(false);
+  const [own, setOwn] = useState(group?.choices[0]?.format ?? '');
+  const [option, setOption] = useState(false);
+  const ofGroup = what === 'group' ? group : undefined;
   const save = () => {
     onClose();
-    const saved = what === 'head' ? files.exportModel(format) : files.exportStrands(strands, guidesOnly);
+    const saved = ofGroup ? files.exportOf(ofGroup, own, option) : files.exportModel(format);
     saved.catch((error: unknown) => messages.failed(error));
   };
   return (
@@ -36,23 +37,26 @@ export function ExportDialog({ onClose }: { onClose: () => void }) {
         </>
       }
     >
-      {hasHair && (
+      {group && (
         <Segments
           label={t('ui.export.what')}
           value={what}
-          options={(['strands', 'head'] as const).map((value) => ({ value, label: t(`ui.export.${value}`) }))}
+          options={[
+            { value: 'group', label: group.label },
+            { value: 'model', label: group.besideLabel },
+          ]}
           onChange={setWhat}
         />
       )}
-      {what === 'head' ? (
-        <Choices choices={files.exportChoices} value={format} onChange={setFormat} />
-      ) : (
+      {ofGroup ? (
         <>
-          <Choices choices={files.strandChoices} value={strands} onChange={setStrands} />
-          <Switch label={t('ui.export.guides')} checked={guidesOnly} onChange={setGuidesOnly} />
+          <Choices choices={ofGroup.choices} value={own} onChange={setOwn} />
+          <Switch label={ofGroup.option} checked={option} onChange={setOption} />
         </>
+      ) : (
+        <Choices choices={files.exportChoices} value={format} onChange={setFormat} />
       )}
-      <p class="muted">{t(what === 'head' ? 'ui.export.topology' : 'ui.export.strands.about')}</p>
+      <p class="muted">{ofGroup?.about ?? t('ui.export.topology')}</p>
     </Dialog>
   );
 }

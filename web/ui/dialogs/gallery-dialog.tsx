@@ -1,11 +1,9 @@
 import type { GalleryEntry } from '../../app/api';
 import { t } from '../../app/i18n';
-import type { WorkspaceId } from '../../app/state';
+import { WORKSPACES } from '../../app/wings';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
 import { Dialog } from '../controls/dialog';
-
-const GROUPS: readonly WorkspaceId[] = ['deform', 'hair', 'merge'];
 
 export function GalleryDialog({ onClose }: { onClose: () => void }) {
   const { state, gallery, files, messages } = useApp();
@@ -33,7 +31,7 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
     );
   // What is worked on comes first.
   const current = state.workspace.value;
-  const workspaces = [current, ...GROUPS.filter((id) => id !== current)];
+  const workspaces = [current, ...WORKSPACES.filter((id) => id !== current)];
   return (
     <Dialog
       wide
@@ -54,7 +52,7 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
     >
       {workspaces.map((id) =>
         group(
-          t(`ui.gallery.of.${id}`),
+          t(`wing.${id}.gallery`),
           entries.filter((entry) => entry.recipe && entry.workspace === id),
         ),
       )}

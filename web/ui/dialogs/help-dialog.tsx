@@ -3,11 +3,15 @@ import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Dialog } from '../controls/dialog';
 
-const GROUPS: readonly CommandGroup[] = ['tool', 'handle', 'hair', 'edit', 'view', 'file', 'help'];
+/** Around the open wing's own. */
+const FIRST: readonly CommandGroup[] = ['tool'];
+const LAST: readonly CommandGroup[] = ['edit', 'view', 'file', 'help'];
 
 /** The keyboard map, made from the command registry. */
 export function HelpDialog({ onClose }: { onClose: () => void }) {
-  const { commands, keymap } = useApp();
+  const { commands, keymap, wings } = useApp();
+  const own = wings.open.value?.wing.group;
+  const groups = [...FIRST, ...(own ? [own] : []), ...LAST];
   return (
     <Dialog wide title={t('ui.help')} closeLabel={t('ui.close')} onClose={onClose}>
       <section class="help-pointer">
@@ -16,7 +20,7 @@ export function HelpDialog({ onClose }: { onClose: () => void }) {
         ))}
       </section>
       <div class="help-groups">
-        {GROUPS.map((group) => (
+        {groups.map((group) => (
           <section key={group}>
             <h3>{t(`ui.group.${group}`)}</h3>
             <dl>
@@ -41,7 +45,12 @@ export function HelpDialog({ onClose }: { onClose: () => void }) {
           </section>
         ))}
       </div>
-      <p class="muted">{t('ui.help.version', { version: __VERSION__ })}</p>
+      <p class="muted">
+        {t('ui.help.version', { version: __VERSION__ })} ·{' '}
+        <a href="licences.txt" target="_blank" rel="noreferrer">
+          {t('ui.help.licences')}
+        </a>
+      </p>
     </Dialog>
   );
 }

@@ -1,13 +1,14 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import type { Command } from '../../app/commands';
 import { t } from '../../app/i18n';
-import { useApp } from '../context';
+import { useAllWings, useApp } from '../context';
 import { closeOnEscape } from '../controls/dialog';
 import { Icon } from '../controls/icon';
 
 /** Every command by name: type, arrow to it, Enter. */
 export function Palette({ onClose }: { onClose: () => void }) {
   const { commands, keymap } = useApp();
+  useAllWings();
   const [text, setText] = useState('');
   const [at, setAt] = useState(0);
   const dialog = useRef<HTMLDialogElement>(null);

@@ -1,12 +1,13 @@
 import { useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
-import { useApp } from '../context';
+import { useAllWings, useApp } from '../context';
 import { Button } from '../controls/button';
 import { Dialog } from '../controls/dialog';
 import { Segments, Switch } from '../controls/fields';
 
 export function SettingsDialog({ onClose }: { onClose: () => void }) {
   const { settings, commands, keymap } = useApp();
+  useAllWings();
   const values = settings.values.value;
   return (
     <Dialog title={t('ui.settings')} closeLabel={t('ui.close')} onClose={onClose}>

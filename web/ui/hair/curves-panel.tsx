@@ -1,10 +1,12 @@
 import { t } from '../../app/i18n';
 import { type Primitive, type PrimitiveKind, primitivesOf } from '../../tools/hair/style';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { SliderField, Switch } from '../controls/fields';
 import { ItemRow } from '../controls/item-row';
 import { Section } from '../controls/section';
+import { useHair } from './use-hair';
 
 const ICONS: Readonly<Record<PrimitiveKind, string>> = {
   stream: 'spline',
@@ -15,10 +17,11 @@ const ICONS: Readonly<Record<PrimitiveKind, string>> = {
 /** What is drawn: a line each, and the options of the selected one. */
 export function CurvesPanel() {
   const { state } = useApp();
-  const step = state.hairStep.value;
+  const { state: own } = useHair();
+  const step = own.step.value;
   if (!step) return null;
   const primitives = primitivesOf(step);
-  const selected = state.selection.value.handle;
+  const selected = state.selection.value.item;
   return (
     <Section
       title={t('ui.hair.curves')}
@@ -43,8 +46,9 @@ export function CurvesPanel() {
 }
 
 function CurveRow({ index, primitive }: { index: number; primitive: Primitive }) {
-  const { state, hair } = useApp();
-  const selected = state.selection.value.handle === index;
+  const { state } = useApp();
+  const { actions: hair } = useHair();
+  const selected = state.selection.value.item === index;
   return (
     <ItemRow
       name={hair.primitiveName(index)}
@@ -60,7 +64,7 @@ function CurveRow({ index, primitive }: { index: number; primitive: Primitive })
 }
 
 function Options({ index, primitive }: { index: number; primitive: Primitive }) {
-  const { hair } = useApp();
+  const { actions: hair } = useHair();
   const finish = () => hair.finish();
   if (primitive.kind === 'stream')
     return (

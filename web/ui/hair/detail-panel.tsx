@@ -1,16 +1,17 @@
 import { t } from '../../app/i18n';
-import { useApp } from '../context';
+
 import { SliderField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { usePercent } from './percent';
+import { useHair } from './use-hair';
 
 const SHARES = ['clump', 'curl', 'frizz', 'flyaways'] as const;
 
 /** What keeps hair from looking combed by a machine. */
 export function DetailPanel() {
-  const { state, hair } = useApp();
+  const { state: own, actions: hair } = useHair();
   const { percent, length } = usePercent();
-  const step = state.hairStep.value;
+  const step = own.step.value;
   if (!step) return null;
   const { detail } = step;
   const finish = () => hair.finish();

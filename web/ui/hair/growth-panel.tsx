@@ -1,18 +1,21 @@
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { NumberField, SliderField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { usePercent } from './percent';
+import { useHair } from './use-hair';
 
 /** How much hair, how long, how full. */
 export function GrowthPanel() {
-  const { state, hair } = useApp();
+  const { state } = useApp();
+  const { state: own, actions: hair } = useHair();
   const { percent, length } = usePercent();
-  const step = state.hairStep.value;
+  const step = own.step.value;
   if (!step) return null;
   const finish = () => hair.finish();
-  const { strands, length: own, volume, grid } = step;
+  const { strands, length: lengths, volume, grid } = step;
   return (
     <Section title={t('ui.hair.growth')} aside={<CommandButton command="hair.new-seed" iconOnly />}>
       <div class="field">
@@ -30,7 +33,7 @@ export function GrowthPanel() {
       </div>
       <SliderField
         label={t('ui.hair.length')}
-        value={percent(own.max, 100)}
+        value={percent(lengths.max, 100)}
         min={3}
         max={300}
         step={1}
@@ -40,24 +43,24 @@ export function GrowthPanel() {
       />
       <div class="buttons">
         <CommandButton command="tool.paint-length" kind="solid" />
-        {own.map.length > 0 && <CommandButton command="hair.clear-lengths" kind="solid" />}
+        {lengths.map.length > 0 && <CommandButton command="hair.clear-lengths" kind="solid" />}
       </div>
       {state.tool.value === 'paint-length' && (
         <SliderField
           label={t('ui.hair.length-brush')}
-          value={100 * state.hair.lengthBrush.value}
+          value={100 * own.lengthBrush.value}
           min={0}
           max={200}
           step={5}
           digits={0}
           onChange={(value) => {
-            state.hair.lengthBrush.value = Math.round(value) / 100;
+            own.lengthBrush.value = Math.round(value) / 100;
           }}
         />
       )}
       <SliderField
         label={t('ui.hair.variation')}
-        value={own.variation}
+        value={lengths.variation}
         min={0}
         max={1}
         digits={2}

@@ -1,4 +1,4 @@
-import { StepsPanel } from '../deform/steps-panel';
+import { StepsPanel } from '../shell/steps-panel';
 import { Warnings } from '../shell/warnings';
 import { CurvesPanel } from './curves-panel';
 import { DetailPanel } from './detail-panel';

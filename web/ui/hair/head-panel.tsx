@@ -1,15 +1,18 @@
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { SelectField } from '../controls/fields';
 import { Section } from '../controls/section';
+import { useHair } from './use-hair';
 
 const OWN = '';
 
 /** The head that hair grows on, and where on it. */
 export function HeadPanel() {
-  const { state, hair, gallery, messages } = useApp();
-  const step = state.hairStep.value;
+  const { state, gallery, messages } = useApp();
+  const { state: own, actions: hair } = useHair();
+  const step = own.step.value;
   const model = state.model.value;
   if (!step) return null;
   const heads = gallery.entries.value.filter(({ scalp, recipe }) => scalp && !recipe);

@@ -1,11 +1,12 @@
 import { t } from '../../app/i18n';
 import { hairColor } from '../../core/melanin';
-import { useApp } from '../context';
+
 import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Segments, SliderField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { usePercent } from './percent';
+import { useHair } from './use-hair';
 
 /** Natural colours by their melanin: how much, and how much of it is red. */
 const SWATCHES = [
@@ -23,9 +24,9 @@ const SWATCHES = [
 const MILLIMETRES = 240;
 
 export function LookPanel() {
-  const { state, hair } = useApp();
+  const { state: own, actions: hair } = useHair();
   const { percent, length } = usePercent();
-  const step = state.hairStep.value;
+  const step = own.step.value;
   if (!step) return null;
   const { material } = step;
   const finish = () => hair.finish();
@@ -123,13 +124,13 @@ export function LookPanel() {
         <span class="label">{t('ui.hair.shading')}</span>
         <Segments
           label={t('ui.hair.shading')}
-          value={state.hair.shading.value}
+          value={own.shading.value}
           options={(['natural', 'kajiya-kay'] as const).map((value) => ({
             value,
             label: t(`ui.hair.shading.${value}`),
           }))}
           onChange={(shading) => {
-            state.hair.shading.value = shading;
+            own.shading.value = shading;
           }}
         />
       </div>

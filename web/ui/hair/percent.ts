@@ -1,10 +1,10 @@
 import { roundTo } from '../../core/decimal';
 import { placesFor } from '../../tools/stroke/polyline';
-import { useApp } from '../context';
+import { useHair } from './use-hair';
 
 /** Lengths as people set them, in parts of the head's height, and as recipes hold them, in model units. */
 export function usePercent() {
-  const { hair } = useApp();
+  const { actions: hair } = useHair();
   const height = hair.headHeight();
   // Two digits more than a stroke's: lengths of hair go down to its thickness.
   const digits = Math.min(15, placesFor(height) + 2);

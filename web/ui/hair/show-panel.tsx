@@ -1,13 +1,14 @@
 import { t } from '../../app/i18n';
-import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { Segments } from '../controls/fields';
 import { Section } from '../controls/section';
+import { useHair } from './use-hair';
 
 /** What is drawn beside the hair, and where hint strokes get their depth from. */
 export function ShowPanel() {
-  const { state } = useApp();
-  const kind = state.hair.supportKind;
+  const { state: own } = useHair();
+  const kind = own.supportKind;
   return (
     <Section title={t('ui.hair.show')} closed>
       <div class="buttons">

@@ -1,6 +1,6 @@
 // Draws the two plane maps, and tells which handle of the part's map is under a plane point.
 
-import type { MapPlacement, PlaneMap, RegionMaps } from '../../kernel/contract';
+import type { MapPlacement, PlaneMap, RegionMaps } from '../../kernel/contract/merge';
 import { type PlacementHandle, type PlanePoint, placed } from '../../tools/merge/placement';
 
 /** The square of the plane that is shown. */

@@ -1,17 +1,18 @@
 import { t } from '../../app/i18n';
 import { MARKS } from '../../app/merge/steps';
 import type { Mark } from '../../tools/merge/host';
-import { useApp } from '../context';
+
 import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Section } from '../controls/section';
+import { useMerge } from './use-merge';
 
 /** Where the two shall meet, roughly painted; and the button that does it. */
 export function MarksPanel() {
-  const { state } = useApp();
-  const step = state.mergeStep.value;
+  const { state: own } = useMerge();
+  const step = own.step.value;
   if (!step) return null;
-  const waits = state.merge.held.value === step.id || !state.merge.figures.value;
+  const waits = own.isHeld(step) || !own.figures.value;
   return (
     <Section title={t('ui.merge.marks')} aside={<CommandButton command="tool.mark-region" iconOnly />}>
       {step.boundaries.length > 0 ? (
@@ -34,8 +35,8 @@ export function MarksPanel() {
 }
 
 function MarkRow({ mark }: { mark: Mark }) {
-  const { merge } = useApp();
-  const size = merge.markSize(mark);
+  const { actions: merge } = useMerge();
+  const size = merge.marking.markSize(mark);
   const name = t(`ui.merge.mark.${mark}`);
   return (
     <li class="row" title={t(`ui.merge.mark.${mark}.help`)}>
@@ -51,7 +52,7 @@ function MarkRow({ mark }: { mark: Mark }) {
           icon="x"
           iconOnly
           label={t('ui.merge.mark.clear', { name })}
-          onClick={() => merge.clearMark(mark)}
+          onClick={() => merge.marking.clearMark(mark)}
         />
       )}
     </li>

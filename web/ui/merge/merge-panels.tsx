@@ -1,5 +1,5 @@
 import { useApp } from '../context';
-import { StepsPanel } from '../deform/steps-panel';
+import { StepsPanel } from '../shell/steps-panel';
 import { MarksPanel } from './marks-panel';
 import { OptionsPanel } from './options-panel';
 import { PairsPanel } from './pairs-panel';

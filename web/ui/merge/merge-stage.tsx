@@ -1,50 +1,53 @@
-import { useLayoutEffect, useRef } from 'preact/hooks';
 import { t } from '../../app/i18n';
-import type { State } from '../../app/state';
+import { SIDES } from '../../app/merge/view-sync';
 import type { MergeSide } from '../../tools/merge/pins';
 import { useApp } from '../context';
 import { Icon } from '../controls/icon';
-import type { Frames } from '../shell/stage';
-import { PartChooser } from './part-chooser';
+import { ModelChooser } from '../shell/model-chooser';
+import { Pane } from '../shell/panes';
 import { PinOverlay } from './pin-overlay';
+import { useMerge } from './use-merge';
 
 /** The two models side by side over the merged one, with the pins that tie them together. */
-export function MergeStage({ frames }: { frames: Frames }) {
+export function MergeStage() {
   const { state } = useApp();
-  const choosing = state.choosing.value;
+  const choosing = state.choosing.value !== null;
   return (
     <>
-      <Pane side="source" frame={frames.source}>
-        {choosing && <PartChooser />}
-      </Pane>
-      <Pane side="target" frame={frames.target} />
+      {SIDES.map((side, index) => (
+        <Pane key={side} index={index} class={side}>
+          <Side side={side} />
+          {choosing && side === 'source' && <PartChooser />}
+        </Pane>
+      ))}
       {!choosing && <PinOverlay />}
       <ResultLabel />
     </>
   );
 }
 
-interface PaneProps {
-  side: MergeSide;
-  frame: HTMLElement;
-  children?: preact.ComponentChildren;
+function PartChooser() {
+  const { actions: merge } = useMerge();
+  return (
+    <ModelChooser
+      title={t('ui.merge.choose')}
+      help={t('ui.merge.choose.help')}
+      onCancel={() => merge.part.cancel()}
+    />
+  );
 }
 
-function Pane({ side, frame, children }: PaneProps) {
-  const holder = useRef<HTMLDivElement>(null);
-  useLayoutEffect(() => {
-    holder.current?.prepend(frame);
-  }, [frame]);
-  const { state, merge } = useApp();
-  const model = state.merge.sides.value[side]?.model;
-  const step = state.mergeStep.value;
+function Side({ side }: { side: MergeSide }) {
+  const { state } = useApp();
+  const { state: own, actions: merge } = useMerge();
+  const model = own.sides.value[side]?.model;
   const isBlank =
     !state.choosing.value &&
-    step?.boundaries.length === 0 &&
-    merge.markSize(side) === 0 &&
-    !isPainted(state, side);
+    own.step.value?.boundaries.length === 0 &&
+    merge.marking.markSize(side) === 0 &&
+    own.paint.value?.mark !== side;
   return (
-    <div ref={holder} class={`pane ${side}`}>
+    <>
       {model && (
         <p class="pane-label">
           <span class={`dot ${side}`} />
@@ -52,19 +55,17 @@ function Pane({ side, frame, children }: PaneProps) {
         </p>
       )}
       {isBlank && state.tool.value !== 'merge-pins' && <p class="hint">{t(`ui.merge.hint.${side}`)}</p>}
-      {children}
-    </div>
+    </>
   );
 }
-
-const isPainted = ({ merge }: State, side: MergeSide): boolean => merge.paint.value?.mark === side;
 
 /** What the lower view shows, or what is still missing for it. */
 function ResultLabel() {
   const { state } = useApp();
-  const merged = state.merge.figures.value !== null && !state.choosing.value;
-  const before = state.merge.before.value && state.mergeStep.value?.optimalBoundary;
-  const problem = state.merge.problem.value;
+  const { state: own } = useMerge();
+  const merged = own.figures.value !== null && !state.choosing.value;
+  const before = own.before.value && own.step.value?.optimalBoundary;
+  const problem = own.problem.value;
   return (
     <div class="result-label">
       <p class="pane-label">

@@ -1,16 +1,18 @@
 import { t } from '../../app/i18n';
 import type { MergeStep } from '../../recipe/recipe';
-import { useApp } from '../context';
-import { Segments, SliderField, Switch, VectorField } from '../controls/fields';
+
+import { Segments, SliderField, Switch } from '../controls/fields';
+import { PoseFields } from '../controls/pose-fields';
 import { Section } from '../controls/section';
+import { useMerge } from './use-merge';
 
 /** How the two are merged. */
 export function OptionsPanel() {
-  const { state, merge } = useApp();
-  const step = state.mergeStep.value;
+  const { state: own, actions: merge } = useMerge();
+  const step = own.step.value;
   if (!step) return null;
-  const finish = () => merge.finish();
-  const shares = merge.transitionShares();
+  const finish = () => merge.edits.finish();
+  const shares = merge.shape.transitionShares();
   return (
     <Section title={t('ui.merge.options')}>
       {step.boundaries.length > 0 && <Mode mode={step.mode} />}
@@ -21,7 +23,7 @@ export function OptionsPanel() {
         max={20}
         step={1}
         digits={0}
-        onChange={(rounds) => merge.setSmoothing(Math.round(rounds), true)}
+        onChange={(rounds) => merge.shape.setSmoothing(Math.round(rounds), true)}
         onCommit={finish}
       />
       {step.boundaries.length > 0 && (
@@ -30,7 +32,7 @@ export function OptionsPanel() {
             label={t('ui.merge.transition')}
             title={t('ui.merge.transition.help')}
             checked={step.transition !== undefined}
-            onChange={(on) => merge.setTransition(on ? shares : null)}
+            onChange={(on) => merge.shape.setTransition(on ? shares : null)}
           />
           {step.transition &&
             (['source', 'target'] as const).map((side) => (
@@ -42,7 +44,7 @@ export function OptionsPanel() {
                 max={40}
                 step={0.5}
                 digits={1}
-                onChange={(percent) => merge.setTransition({ ...shares, [side]: percent / 100 }, true)}
+                onChange={(percent) => merge.shape.setTransition({ ...shares, [side]: percent / 100 }, true)}
                 onCommit={finish}
               />
             ))}
@@ -54,7 +56,7 @@ export function OptionsPanel() {
 
 /** Fitted or in place. */
 function Mode({ mode }: { mode: MergeStep['mode'] }) {
-  const { merge } = useApp();
+  const { actions: merge } = useMerge();
   return (
     <>
       <div class="field">
@@ -66,56 +68,34 @@ function Mode({ mode }: { mode: MergeStep['mode'] }) {
             value,
             label: t(`ui.merge.mode.${value}`),
           }))}
-          onChange={(next) => merge.setMode(next)}
+          onChange={(next) => merge.shape.setMode(next)}
         />
       </div>
       <p class="muted">{t(`ui.merge.mode.${mode}.help`)}</p>
-      {mode === 'dependent' && <PoseFields />}
+      {mode === 'dependent' && <Placed />}
     </>
   );
 }
 
 /** Where the part stands, as numbers, and how much of it gives way. */
-function PoseFields() {
-  const { merge } = useApp();
-  const { translation, rotation, scale } = merge.pose();
-  const finish = () => merge.finish();
+function Placed() {
+  const { actions: merge } = useMerge();
+  const finish = () => merge.edits.finish();
   return (
     <>
-      <VectorField
-        label={t('ui.pose.move')}
-        value={translation}
-        step={0.01}
-        digits={3}
-        onChange={(value) => merge.setPose({ translation: value }, true)}
-        onCommit={finish}
-      />
-      <VectorField
-        label={t('ui.pose.turn')}
-        title={t('ui.pose.turn.help')}
-        value={rotation}
-        step={1}
-        digits={1}
-        onChange={(value) => merge.setPose({ rotation: value }, true)}
-        onCommit={finish}
-      />
-      <VectorField
-        label={t('ui.pose.size')}
-        value={scale}
-        step={0.01}
-        min={0.001}
-        digits={3}
-        onChange={(value) => merge.setPose({ scale: value }, true)}
+      <PoseFields
+        pose={merge.shape.pose()}
+        onChange={(change) => merge.shape.setPose(change, true)}
         onCommit={finish}
       />
       <SliderField
         label={t('ui.merge.reach')}
-        value={100 * merge.reach()}
+        value={100 * merge.shape.reach()}
         min={5}
         max={150}
         step={1}
         digits={0}
-        onChange={(percent) => merge.setReach(percent / 100, true)}
+        onChange={(percent) => merge.shape.setReach(percent / 100, true)}
         onCommit={finish}
       />
     </>

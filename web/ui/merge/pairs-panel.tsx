@@ -1,17 +1,19 @@
 import { t } from '../../app/i18n';
 import type { Pin } from '../../tools/merge/pins';
 import { useApp } from '../context';
+
 import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Icon } from '../controls/icon';
 import { Section } from '../controls/section';
+import { useMerge } from './use-merge';
 
 /** Loops that are joined, and the pins that say which of their points meet. */
 export function PairsPanel() {
-  const { state, merge } = useApp();
-  const step = state.mergeStep.value;
+  const { state: own, actions: merge } = useMerge();
+  const step = own.step.value;
   if (!step || step.boundaries.length === 0) return null;
-  const pins = merge.pins();
+  const pins = merge.joins.pins();
   return (
     <Section title={t('ui.merge.pairs')} aside={<CommandButton command="tool.merge-pins" iconOnly />}>
       <ul class="list" aria-label={t('ui.merge.pairs')}>
@@ -32,7 +34,7 @@ export function PairsPanel() {
                 icon="trash-2"
                 iconOnly
                 label={t('ui.merge.pair.remove', { number: index + 1 })}
-                onClick={() => merge.removePair(index)}
+                onClick={() => merge.joins.removePair(index)}
               />
             </div>
             <Pins found={boundary.keys.length === 0} pins={pins.filter((pin) => pin.boundary === index)} />
@@ -45,7 +47,7 @@ export function PairsPanel() {
 
 function Pins({ pins, found }: { pins: readonly Pin[]; found: boolean }) {
   const { state, document } = useApp();
-  const selected = state.selection.value.handle;
+  const selected = state.selection.value.item;
   return (
     <div class="pins">
       {pins.map(({ number }) => (

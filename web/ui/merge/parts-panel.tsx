@@ -3,6 +3,7 @@ import type { MergeSide } from '../../tools/merge/pins';
 import { useApp } from '../context';
 import { CommandButton } from '../controls/command-button';
 import { Section } from '../controls/section';
+import { useMerge } from './use-merge';
 
 /** The two models. */
 export function PartsPanel() {
@@ -19,7 +20,7 @@ export function PartsPanel() {
 }
 
 function Model({ side }: { side: MergeSide }) {
-  const shown = useApp().state.merge.sides.value[side];
+  const shown = useMerge().state.sides.value[side];
   return (
     <div class="merge-model">
       <span class={`dot ${side}`} />

@@ -1,12 +1,13 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
+import { pointAt } from '../../tools/geometry';
 import type { MergeSide, Pin } from '../../tools/merge/pins';
 import { slot } from '../../tools/merge/pins';
-import type { Vec3, ViewportPort } from '../../view/types';
+import { isHidden } from '../../tools/sight';
+import type { ViewportPort } from '../../view/types';
 import { useApp } from '../context';
+import { useMerge } from './use-merge';
 
 const RADIUS = 10;
-/** A pin is behind the model when the surface in front of it is nearer by this part of the distance. */
-const BEHIND = 0.01;
 
 interface Place {
   readonly x: number;
@@ -16,10 +17,12 @@ interface Place {
 
 /** Numbered pins on both models, and lines between partners. The pointer passes through: tools take hold of pins. */
 export function PinOverlay() {
-  const { state, merge, panes } = useApp();
+  const { state, panes } = useApp();
+  const { state: own, actions: merge } = useMerge();
   const frame = useRef<SVGSVGElement>(null);
   const [, redraw] = useState(0);
-  const views = panes.value;
+  const [from, to] = panes.all.value;
+  const views = from && to ? { source: from.viewport, target: to.viewport } : null;
   useEffect(() => {
     if (!views) return;
     const again = () => redraw((count) => count + 1);
@@ -27,15 +30,15 @@ export function PinOverlay() {
     return () => {
       for (const stop of stops) stop();
     };
-  }, [views]);
-  const { source, target } = state.merge.sides.value;
-  const selected = state.selection.value.handle;
-  const own = state.mergeStep.value?.boundaries ?? [];
+  }, [from, to]);
+  const { source, target } = own.sides.value;
+  const selected = state.selection.value.item;
+  const boundaries = own.step.value?.boundaries ?? [];
   const half = (frame.current?.clientWidth ?? 0) / 2;
   const height = frame.current?.clientHeight ?? 0;
   const placed =
     views && source && target && half > 0
-      ? merge.pins().map((pin) => ({
+      ? merge.joins.pins().map((pin) => ({
           pin,
           ends: [
             placeOf(views.source, source.model.positions, pin, 'source', 0),
@@ -63,7 +66,7 @@ export function PinOverlay() {
           ends.map(({ x, y, hidden }, side) => (
             <g
               key={`${pin.number} ${side}`}
-              class={`pin-mark${pin.number === selected ? ' selected' : ''}${hidden ? ' hidden' : ''}${own[pin.boundary]?.keys.length ? '' : ' found'}`}
+              class={`pin-mark${pin.number === selected ? ' selected' : ''}${hidden ? ' hidden' : ''}${boundaries[pin.boundary]?.keys.length ? '' : ' found'}`}
               transform={`translate(${x} ${y})`}
             >
               <circle r={RADIUS} />
@@ -83,12 +86,7 @@ function placeOf(
   side: MergeSide,
   left: number,
 ): Place {
-  const v = 3 * pin.vertices[slot(side)];
-  const point: Vec3 = [positions[v]!, positions[v + 1]!, positions[v + 2]!];
-  const { x, y, behind } = view.project(point);
-  const hit = view.pick(x, y);
-  const eye = view.camera.position;
-  const away = Math.hypot(eye[0] - point[0], eye[1] - point[1], eye[2] - point[2]);
-  const hidden = behind || (hit !== null && away - hit.distance > BEHIND * hit.distance);
-  return { x: x + left, y, hidden };
+  const point = pointAt(positions, pin.vertices[slot(side)]);
+  const { x, y } = view.project(point);
+  return { x: x + left, y, hidden: isHidden(view, point) };
 }

@@ -1,28 +1,31 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
-import type { MapPlacement, RegionMaps } from '../../kernel/contract';
+import type { MapPlacement, RegionMaps } from '../../kernel/contract/merge';
 import { dragged, type PlacementHandle, type PlanePoint } from '../../tools/merge/placement';
 import { useApp } from '../context';
+
 import { Button } from '../controls/button';
 import { SliderField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { drawMaps, frameOf, handleAt, toPlane } from './map-drawing';
+import { useMerge } from './use-merge';
 
 const SIZE = 268;
 
 /** Both regions laid flat: how the part lies on the target is dragged, turned and scaled here. */
 export function PlacementPanel() {
-  const { state, merge, messages } = useApp();
-  const step = state.mergeStep.value;
+  const { messages } = useApp();
+  const { state: own, actions: merge } = useMerge();
+  const step = own.step.value;
   const marks = step?.optimalBoundary;
   const [maps, setMaps] = useState<RegionMaps | null>(null);
   const [live, setLive] = useState<MapPlacement | null>(null);
-  const isMerged = state.merge.figures.value !== null;
+  const isMerged = own.figures.value !== null;
   useEffect(() => {
     let wanted = isMerged && marks !== undefined;
     if (!wanted) setMaps(null);
     else
-      merge
+      merge.placing
         .maps()
         .then((found) => wanted && setMaps(found))
         .catch((error: unknown) => messages.failed(error));
@@ -34,7 +37,7 @@ export function PlacementPanel() {
   const placement = live ?? marks.placement ?? maps.placement;
   const commit = (next: MapPlacement | undefined) => {
     setLive(null);
-    merge.setPlacement(
+    merge.placing.setPlacement(
       next && {
         shift: [rounded(next.shift[0]), rounded(next.shift[1])],
         turn: rounded(next.turn),

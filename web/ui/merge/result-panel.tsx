@@ -1,16 +1,17 @@
 import { t } from '../../app/i18n';
 import type { MergeFigures } from '../../app/merge/state';
-import { useApp } from '../context';
+
 import { CommandButton } from '../controls/command-button';
 import { Icon } from '../controls/icon';
 import { Section } from '../controls/section';
 import { Warnings } from '../shell/warnings';
 import { EnergyCurve } from './energy-curve';
+import { useMerge } from './use-merge';
 
 /** What came of the merge, or why there is none. */
 export function ResultPanel() {
-  const { state } = useApp();
-  const { problem, figures } = state.merge;
+  const { state: own } = useMerge();
+  const { problem, figures } = own;
   if (!problem.value && !figures.value) return null;
   return (
     <Section title={t('ui.merge.result')} aside={<CommandButton command="merge.before" iconOnly />}>

@@ -1,40 +1,32 @@
 import { useLayoutEffect, useRef } from 'preact/hooks';
 import { t } from '../../app/i18n';
-import type { MergeSide } from '../../tools/merge/pins';
-import { useApp } from '../context';
-import { HeatLegend } from '../deform/heat-legend';
-import { LengthLegend } from '../hair/length-legend';
-import { ViewedBar } from '../hair/viewed-bar';
-import { MergeStage } from '../merge/merge-stage';
+import { useApp, useFace } from '../context';
 import { ViewBar } from './view-bar';
+import { ViewedBar } from './viewed-bar';
 
-/** The viewports' elements, which live longer than any component: the main one, and those of two models to merge. */
-export type Frames = Readonly<Record<'main' | MergeSide, HTMLElement>>;
-
-/** Holds the main viewport's canvas and what floats over it; beside it the two models where they are merged. */
-export function Stage({ frames }: { frames: Frames }) {
+/**
+ * Holds the main viewport's canvas and what floats over it; beside it the open wing's own stage.
+ * @param frame  the viewport's element, which lives longer than any component
+ */
+export function Stage({ frame }: { frame: HTMLElement }) {
   const { state, viewport } = useApp();
-  const frame = useRef<HTMLDivElement>(null);
+  const { Stage: Own, stageClass = '', Legend } = useFace() ?? {};
+  const holder = useRef<HTMLDivElement>(null);
   useLayoutEffect(() => {
-    frame.current?.prepend(frames.main);
-  }, [frames]);
+    holder.current?.prepend(frame);
+  }, [frame]);
   const hint = state.hint.value;
-  const merging = state.workspace.value === 'merge';
   return (
-    <main ref={frame} class={merging ? 'stage merging' : 'stage'} aria-label={t('ui.viewport')}>
-      {merging && <MergeStage frames={frames} />}
+    <main ref={holder} class={`stage ${stageClass}`} aria-label={t('ui.viewport')}>
+      {Own && <Own />}
       {viewport === null && <p class="stage-empty">{t('ui.no-webgl')}</p>}
       <ViewBar />
       <ViewedBar />
-      {hint && !merging && !state.hair.viewed.value && <p class="hint">{t(hint)}</p>}
-      {state.tool.value === 'paint-length' ? (
-        <LengthLegend />
-      ) : (
-        state.heat.value && !merging && <HeatLegend />
-      )}
+      {hint && !Own && !state.viewing.value && <p class="hint">{t(hint)}</p>}
+      {Legend && <Legend />}
       {state.dropping.value && (
         <div class="drop">
-          <p>{t(state.choosing.value ? 'ui.drop.part' : 'ui.drop')}</p>
+          <p>{t(state.choosing.value?.drop ?? 'ui.drop')}</p>
         </div>
       )}
     </main>

@@ -1,20 +1,17 @@
-import type { HairFigures } from '../../app/hair/state';
-import { formatNumber, t } from '../../app/i18n';
+import { t } from '../../app/i18n';
 import type { Figures } from '../../app/state';
-import { useApp } from '../context';
+import { useApp, useFace } from '../context';
 import { Button } from '../controls/button';
+import { FigureList, milliseconds } from '../controls/figure-list';
 
 /** What a click and a drag do now; what the kernel is at; its figures. */
 export function StatusBar() {
   const { state } = useApp();
   const figures = state.figures.value;
   const busy = state.busy.value;
-  const hair = state.workspace.value === 'hair' ? state.hair.figures.value : null;
-  // Leftmost, so that its coming and going moves nothing else.
-  const parts = [
-    state.previewing.value && figures.fps >= 2 && t('ui.figure.fps', { count: Math.round(figures.fps) }),
-    ...(hair ? hairParts(hair) : deformParts(figures)),
-  ].filter((part): part is string => typeof part === 'string');
+  const Own = useFace()?.Figures;
+  const fps =
+    state.previewing.value && figures.fps >= 2 && t('ui.figure.fps', { count: Math.round(figures.fps) });
   return (
     <footer class="status-bar">
       <span class="status-text" role="status">
@@ -40,31 +37,18 @@ export function StatusBar() {
         </span>
       )}
       <span class="status-figures">
-        {parts.map((part) => (
-          <span key={part}>{part}</span>
-        ))}
+        {/* Leftmost, so that its coming and going moves nothing else. */}
+        <FigureList parts={[fps]} />
+        {Own ? <Own /> : <FigureList parts={kernelParts(figures)} />}
       </span>
     </footer>
   );
 }
 
-const deformParts = (figures: Figures) => [
+const kernelParts = (figures: Figures) => [
   figures.vertices !== null && t('ui.figure.vertices', { count: figures.vertices }),
   figures.free !== null && t('ui.figure.free', { count: figures.free }),
   figures.factor !== null && t('ui.figure.factor', { ms: Math.round(figures.factor) }),
   figures.solve !== null && t('ui.figure.solve', { ms: milliseconds(figures.solve) }),
   figures.drag !== null && t('ui.figure.drag', { ms: Math.round(figures.drag) }),
 ];
-
-const hairParts = (figures: HairFigures) => [
-  t('ui.hair.figure.strands', { count: figures.strands }),
-  t('ui.hair.figure.constraints', { count: figures.constraints }),
-  t('ui.hair.figure.grid', { size: figures.grid.join(' × ') }),
-  t('ui.hair.figure.update', { ms: milliseconds(figures.update) }),
-  t('ui.hair.figure.field', { ms: milliseconds(figures.field) }),
-  t('ui.hair.figure.grow', { ms: milliseconds(figures.grow) }),
-  figures.stroke !== null && t('ui.hair.figure.stroke', { ms: Math.round(figures.stroke) }),
-];
-
-const milliseconds = (ms: number): string =>
-  ms < 10 ? formatNumber(Number(ms.toFixed(1))) : `${Math.round(ms)}`;

@@ -1,12 +1,11 @@
 import { useEffect, useState } from 'preact/hooks';
 import { t } from '../../app/i18n';
 import type { SavedState } from '../../app/state';
+import { WORKSPACES } from '../../app/wings';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Menu } from '../controls/menu';
-
-const WORKSPACES = ['deform', 'hair', 'merge'] as const;
 
 export function TopBar({ onTogglePanel, panelOpen }: { onTogglePanel: () => void; panelOpen: boolean }) {
   const { state, commands } = useApp();
@@ -31,7 +30,7 @@ export function TopBar({ onTogglePanel, panelOpen }: { onTogglePanel: () => void
           {WORKSPACES.map((id) => (
             <Button
               key={id}
-              label={t(`ui.workspace.${id}`)}
+              label={t(`wing.${id}.title`)}
               pressed={state.workspace.value === id}
               onClick={() => commands.run(`workspace.${id}`)}
             />

@@ -1,6 +1,6 @@
 import { t } from '../../app/i18n';
 import type { DisplayOptions } from '../../view/types';
-import { useApp } from '../context';
+import { useApp, useFace } from '../context';
 import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Menu } from '../controls/menu';
@@ -17,6 +17,7 @@ const SHADINGS: readonly DisplayOptions['shading'][] = [
 /** Small controls that float over the viewport: how the model is shown. */
 export function ViewBar() {
   const { state } = useApp();
+  const own = useFace()?.viewCommands ?? [];
   const display = state.display.value;
   return (
     <div class="view-bar" role="toolbar" aria-label={t('ui.view')}>
@@ -34,12 +35,14 @@ export function ViewBar() {
           />
         ))}
         <hr />
-        {['view.smooth', 'view.wireframe', 'view.grid', 'view.heat'].map((id) => (
+        {['view.smooth', 'view.wireframe', 'view.grid', ...own].map((id) => (
           <CommandButton key={id} command={id} showShortcut />
         ))}
       </Menu>
       <CommandButton command="view.wireframe" iconOnly />
-      <CommandButton command="view.heat" iconOnly />
+      {own.map((id) => (
+        <CommandButton key={id} command={id} iconOnly />
+      ))}
       <CommandButton command="view.fit" iconOnly />
       <Menu label={t('ui.cameras')} icon="camera" iconOnly align="end">
         {['home', 'front', 'back', 'left', 'right', 'top', 'bottom'].map((id) => (

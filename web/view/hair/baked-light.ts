@@ -1,7 +1,14 @@
+import type { BufferGeometry } from 'three';
 import { DensityGrid } from './density';
-import type { Head } from './hair-view';
 import { SOFT_LIGHTS } from './lights';
 import type { EvenStrands } from './resample';
+
+/** The head the hair grows on, drawn units. */
+export interface Head {
+  readonly geometry: BufferGeometry;
+  readonly places: Float32Array;
+  readonly triangles: Uint32Array;
+}
 
 /** Light in a cube around the hair, n³ cells, x fastest. */
 export interface BakedLight {

@@ -1,64 +1,55 @@
-import {
-  Box3,
-  Group,
-  type OrthographicCamera,
-  type PerspectiveCamera,
-  type Vector3,
-  type WebGLRenderer,
-} from 'three';
+import { Box3, Group, type OrthographicCamera, type PerspectiveCamera } from 'three';
 import { type Strands, strandCount } from '../../core/strands';
+import type { Layer, LayerContext, LayerKind } from '../layer';
 import type { ModelView } from '../model-view';
+import { drawsInSoftware } from '../software';
+import type { SurfaceShade } from '../surface-shade';
 import { ViewSpace } from '../view-space';
-import { CurveOverlay } from './curves';
-import { GuideOverlay } from './guides';
-import { HairView, type Head } from './hair-view';
-import { drawsInSoftware, firstShare, nextShare, restShare } from './lod';
-import type { Box, CurveHit, FieldSample, HairOptions, StyleCurve, SupportSurface } from './types';
+import type { Head } from './baked-light';
+import { HairView } from './hair-view';
+import { firstShare, nextShare, restShare } from './lod';
+import type { HairOptions, HairPort } from './types';
 
 /** So many strands say how much room hair takes in the picture. */
 const FRAMING_STRANDS = 200;
 
-/** Everything of hair in the picture: the strands, and the lines and surfaces one styles them with. */
-export class HairLayer {
+/** The strands of one head in the picture, and the light they take from it. */
+class HairLayer implements Layer, HairPort {
   readonly group = new Group();
   readonly #hair: HairView;
-  readonly #curves = new CurveOverlay();
-  readonly #guides = new GuideOverlay();
   #strands: Strands | null = null;
   #model: ModelView | undefined;
   #space = ViewSpace.identity;
+  /** Around the strands, where they are drawn alone. */
+  #around: ViewSpace | undefined;
   readonly #software: boolean;
   #fixedShare: number | null = null;
   #share = 1;
   #whole = false;
 
-  constructor(
-    private readonly renderer: WebGLRenderer,
-    private readonly test: boolean,
-  ) {
-    this.#hair = new HairView(!test);
-    this.#software = drawsInSoftware(renderer.getContext());
-    this.group.add(this.#hair.mesh, this.#guides.group, this.#curves.group);
+  constructor(private readonly context: LayerContext) {
+    this.#hair = new HairView(!context.test);
+    this.#software = drawsInSoftware(context.renderer.getContext());
+    this.group.add(this.#hair.mesh);
   }
 
-  /** Drawn space: the model's, or around the hair when it is alone. */
-  get space(): ViewSpace {
-    return this.#space;
+  get shade(): SurfaceShade | undefined {
+    return this.#hair.shown ? this.#hair.shade : undefined;
   }
 
-  get shown(): boolean {
+  get refines(): boolean {
     return this.#hair.shown;
   }
 
-  /** Uniforms for the surfaces in its shadow, while there is any. */
-  get shadowUniforms(): HairView['shadowUniforms'] | undefined {
-    return this.#hair.shown ? this.#hair.shadowUniforms : undefined;
+  ownSpace(): ViewSpace | undefined {
+    if (this.#strands) this.#around ??= spaceAround(this.#strands);
+    return this.#around;
   }
 
-  /** Where hair is, 3 numbers per place, drawn units: so few strands that a stray one hardly counts. */
-  places(): number[] {
+  /** So few strands that a stray one hardly counts. */
+  extent(): number[] {
     const strands = this.#strands;
-    if (!this.shown || !strands) return [];
+    if (!this.#hair.shown || !strands) return [];
     const { offsets, points, origin } = strands;
     const every = Math.max(1, Math.floor(strandCount(strands) / FRAMING_STRANDS));
     const places: number[] = [];
@@ -70,109 +61,86 @@ export class HairLayer {
     return places;
   }
 
-  setModel(model: ModelView | undefined): void {
+  place(space: ViewSpace, model: ModelView | undefined): void {
+    this.#space = space;
     this.#model = model;
-    this.#settle();
-    if (this.#strands) this.setHair(this.#strands);
+    if (this.#strands) this.#show();
   }
 
   setHair(strands: Strands | null): void {
-    const had = this.#hair.total;
+    const { context } = this;
+    const before = this.#space;
     this.#strands = strands;
-    this.#settle();
+    this.#around = undefined;
+    context.settle();
+    // Placed anew it shows them already.
+    if (!strands || this.#space === before) this.#show();
+    context.redraw();
+  }
+
+  setHairOptions(options: Partial<HairOptions>): void {
+    this.#hair.setOptions(options);
+    this.context.redraw();
+  }
+
+  setStrandShare(share: number | null): void {
+    this.#fixedShare = share;
+    this.context.redraw();
+  }
+
+  /** A picture to keep has every strand. */
+  setKept(kept: boolean): void {
+    this.#whole = kept;
+  }
+
+  paced(elapsed: number): void {
+    if (this.#hair.shown) this.#share = nextShare(this.#share, elapsed, this.#hair.total);
+  }
+
+  modelSettled(): void {
+    this.#hair.lightChanged();
+  }
+
+  restore(): void {
+    this.#hair.lightChanged();
+  }
+
+  prepare(camera: PerspectiveCamera | OrthographicCamera, frame: number): void {
+    const { renderer, test } = this.context;
+    this.#hair.setShare(this.#fixedShare ?? this.#shareOf(frame));
+    this.#hair.prepare(renderer, camera, test ? Math.max(1, frame) : frame, this.#model?.geometry);
+  }
+
+  dispose(): void {
+    this.#hair.dispose();
+  }
+
+  #show(): void {
+    const strands = this.#strands;
     if (!strands || strandCount(strands) === 0) {
       this.#hair.clear();
       return;
     }
-    this.#hair.set(strands, this.#space, this.#head(), this.renderer.capabilities.maxTextureSize);
+    const had = this.#hair.total;
+    this.#hair.set(strands, this.#space, this.#head(), this.context.renderer.capabilities.maxTextureSize);
     if (had !== this.#hair.total) this.#share = firstShare(this.#hair.total, this.#software);
   }
 
-  setOptions(options: Partial<HairOptions>): void {
-    this.#hair.setOptions(options);
-  }
-
-  /** A picture to keep has every strand, and no curves, field, volume or supporting surface. */
-  setKept(kept: boolean): void {
-    this.#whole = kept;
-    this.#curves.group.visible = !kept;
-    this.#guides.group.visible = !kept;
-  }
-
-  setShare(share: number | null): void {
-    this.#fixedShare = share;
-  }
-
-  /** The last moving picture took `elapsed` ms. */
-  paced(elapsed: number): void {
-    if (this.shown) this.#share = nextShare(this.#share, elapsed, this.#hair.total);
-  }
-
-  setCurves(curves: readonly StyleCurve[]): void {
-    this.#curves.set(curves, this.#space);
-  }
-
-  pickCurve(x: number, y: number, onScreen: (place: Vector3) => Vector3): CurveHit | null {
-    return this.#curves.pick(x, y, (point) => onScreen(this.#space.toView(point)));
-  }
-
-  setField(field: FieldSample | null): void {
-    this.#guides.setField(field, this.#space);
-  }
-
-  setConstraints(constraints: FieldSample | null): void {
-    this.#guides.setConstraints(constraints, this.#space);
-  }
-
-  setVolume(box: Box | null): void {
-    this.#guides.setVolume(box, this.#space);
-  }
-
-  setSupport(surface: SupportSurface | null): void {
-    this.#guides.setSupport(surface, this.#space);
-  }
-
-  /** The head has changed its shape, or the graphics card has forgotten what it had. */
-  lightChanged(): void {
-    this.#hair.lightChanged();
-  }
-
-  setSize(width: number, height: number, pixelRatio: number): void {
-    this.#curves.setSize(width, height, pixelRatio);
-    this.#guides.setSize(width, height, pixelRatio);
-  }
-
-  /** @param frame  number of a picture at rest, from 1; 0: a moving one */
-  prepare(camera: PerspectiveCamera | OrthographicCamera, frame: number): void {
-    this.#hair.setShare(this.#fixedShare ?? this.#shareOf(frame));
-    // In tests every picture is a finished one.
-    this.#hair.prepare(this.renderer, camera, this.test ? Math.max(1, frame) : frame, this.#model?.geometry);
-  }
-
   #shareOf(frame: number): number {
-    if (this.#whole || this.test) return 1;
+    if (this.#whole || this.context.test) return 1;
     return frame > 0 ? restShare(this.#share, this.#software) : this.#share;
-  }
-
-  dispose(): void {
-    for (const part of [this.#hair, this.#curves, this.#guides]) part.dispose();
   }
 
   #head(): Head | undefined {
     const model = this.#model;
     return model && { geometry: model.geometry, places: model.places(), triangles: model.model.triangles };
   }
-
-  #settle(): void {
-    const before = this.#space;
-    if (this.#model) this.#space = this.#model.space;
-    else if (this.#strands) this.#space = spaceAround(this.#strands);
-    else this.#space = ViewSpace.identity;
-    if (this.#space === before) return;
-    this.#curves.place(this.#space);
-    this.#guides.place(this.#space);
-  }
 }
+
+export const HAIR: LayerKind<HairPort> = {
+  id: 'hair',
+  make: (context) => new HairLayer(context),
+};
 
 function spaceAround({ points, origin }: Strands): ViewSpace {
   const box = new Box3().setFromArray(points as unknown as number[]);

@@ -25,7 +25,7 @@ import {
 } from 'three';
 import type { Strands } from '../../core/strands';
 import type { ViewSpace } from '../view-space';
-import { bakeLight } from './baked-light';
+import { bakeLight, type Head } from './baked-light';
 import { KEY_LIGHT } from './lights';
 import { type Prefix, prefixOf } from './lod';
 import { OpacityMap } from './opacity-map';
@@ -34,14 +34,8 @@ import { type EvenStrands, resample } from './resample';
 import { rootDensity } from './rooted';
 import { SHADE_FRAGMENT, SHADE_VERTEX } from './shade-glsl';
 import { StrandLight } from './strand-light';
+import { hairShade } from './surface-shade';
 import type { HairOptions } from './types';
-
-/** The head the hair grows on, drawn units. */
-export interface Head {
-  readonly geometry: BufferGeometry;
-  readonly places: Float32Array;
-  readonly triangles: Uint32Array;
-}
 
 /** Strands whose light is not in the grid yet. */
 interface Unbaked {
@@ -80,14 +74,15 @@ export class HairView {
   });
   readonly #material: ShaderMaterial;
   readonly mesh: Mesh;
+  readonly #tint = { value: new Color() };
   /** For the surfaces that hair shades. */
-  readonly shadowUniforms = {
+  readonly shade = hairShade({
     ...this.#opacity.uniforms,
     hairShade: { value: this.#shade },
     hairShadeLow: this.#grid.gridLow,
     hairShadeSize: this.#grid.gridSize,
-    hairTint: { value: new Color() },
-  };
+    hairTint: this.#tint,
+  });
 
   #total = 0;
   #width = 0;
@@ -159,7 +154,7 @@ export class HairView {
     this.#width = look.thickness * space.scale;
     this.#ribbon.taper.value = look.taper;
     this.#strandLight.setLook(look.color, look.colorVariation);
-    this.shadowUniforms.hairTint.value.set(look.color).lerp(WHITE, 0.15);
+    this.#tint.value.set(look.color).lerp(WHITE, 0.15);
     this.#unbaked = { even, taper: look.taper, head };
     this.#stale = true;
     this.#apply();
@@ -236,8 +231,7 @@ export class HairView {
     const baked = bakeLight(even, this.#width * this.#options.widthScale, taper, head);
     fill(this.#light, baked.light, baked.n);
     fill(this.#shade, baked.shade, baked.n);
-    if (head)
-      head.geometry.setAttribute('rooted', new BufferAttribute(rootDensity(even, head.places), 1, true));
+    if (head) setRooted(head.geometry, rootDensity(even, head.places));
     this.#grid.gridLow.value.set(...baked.low);
     this.#grid.gridSize.value = baked.size;
     this.#strandLight.changed();
@@ -275,6 +269,16 @@ export class HairView {
     this.#geometry.dispose();
     this.#geometry.setAttribute('position', new BufferAttribute(corners, 3));
     this.#geometry.setIndex(new BufferAttribute(index, 1));
+  }
+}
+
+/** Part of the head's own geometry, and freed with it. */
+function setRooted(geometry: BufferGeometry, values: Uint8Array<ArrayBuffer>): void {
+  const held = geometry.getAttribute('rooted') as BufferAttribute | undefined;
+  if (!held) geometry.setAttribute('rooted', new BufferAttribute(values, 1, true));
+  else {
+    (held.array as Uint8Array).set(values);
+    held.needsUpdate = true;
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lissom/hair/grid.h"
+#include "lissom/mesh/grid.h"
 
 #include <vector>
 
@@ -39,16 +39,5 @@ private:
     Grid grid_;
     std::vector<float> samples_;
 };
-
-/// The nearest point of a triangle to p, and where on it that point lies.
-struct NearestOnTriangle {
-    Eigen::Vector3d point;
-    int feature; ///< 0–2 a corner, 3–5 the edge opposite corner feature − 3, 6 the inside
-};
-[[nodiscard]] NearestOnTriangle nearest_on_triangle(const Eigen::Vector3d& p, const Eigen::Vector3d& a,
-                                                    const Eigen::Vector3d& b, const Eigen::Vector3d& c);
-
-/// The mesh with a fan from its centre over every boundary loop.
-[[nodiscard]] TriangleMesh capped(const TriangleMesh& mesh);
 
 } // namespace lissom

@@ -49,6 +49,9 @@ public:
     [[nodiscard]] Strand grow(std::uint64_t index) const;
     [[nodiscard]] const GrowthOptions& options() const { return options_; }
 
+    /// How far from the skin a strand keeps this far along it: less and less towards its root.
+    [[nodiscard]] static double clearance_at(double along, double head_height);
+
     /// A point no deeper than `clearance` above the skin allows, moved straight out.
     [[nodiscard]] static Eigen::Vector3d lifted(const HeadDistance& head, const Eigen::Vector3d& p, double clearance);
 

@@ -2,12 +2,13 @@
 
 #include "lissom/hair/field_solver.h"
 #include "lissom/hair/head_distance.h"
+#include "lissom/mesh/polyline.h"
 
 #include <vector>
 
 namespace lissom {
 
-using Polyline = std::vector<Eigen::Vector3d>; ///< head units, in the order they were drawn
+// All lines are drawn, and all lengths are, in head units.
 
 /// The general flow of the hair: the field follows it (Fu 4.5, Fig 4.5 left).
 struct StreamCurve {
@@ -51,10 +52,6 @@ struct TailSection {
 };
 /// C1 … C2, about one grid step apart, C1 at the drawn section. Empty when spine or section is no curve.
 [[nodiscard]] std::vector<TailSection> tail_sections(const Ponytail& tail, double step);
-
-/// The polyline in segments of equal length, as near to `step` as whole segments allow (Fu 4.5).
-/// Fewer than two different points give an empty line.
-[[nodiscard]] Polyline resampled(const Polyline& line, double step);
 
 /// What a style demands of the field, each node once, ordered by node.
 ///

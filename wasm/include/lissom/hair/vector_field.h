@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lissom/hair/grid.h"
+#include "lissom/mesh/grid.h"
 
 namespace lissom {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lissom/merge/region_maps.h"
-#include "lissom/merge/similarity.h"
+#include "lissom/mesh/similarity.h"
 
 namespace lissom {
 

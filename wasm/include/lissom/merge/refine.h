@@ -11,7 +11,4 @@ namespace lissom {
 /// @returns how many vertices were added
 int refine_loop(Part& part, int loop, double longest);
 
-/// Length of a closed polyline through the points.
-[[nodiscard]] double loop_length(const Points& points, const std::vector<int>& loop);
-
 } // namespace lissom

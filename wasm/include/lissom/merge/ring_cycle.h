@@ -1,6 +1,6 @@
 #pragma once
 
-#include "lissom/merge/surface_paths.h"
+#include "lissom/mesh/surface_paths.h"
 
 #include <vector>
 

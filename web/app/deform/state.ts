@@ -1,0 +1,36 @@
+// What the deform workspace knows beside the document, as signals. No behaviour here.
+
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import { stepOf } from '../../recipe/edit';
+import type { DeformStep } from '../../recipe/recipe';
+import type { GizmoMode } from '../../view/types';
+import type { State } from '../state';
+
+/** What the open step did to its model. */
+export interface WhatItDid {
+  /** 1 = unchanged; of no meaning for an open surface (see `closed`). */
+  readonly volumeRatio: number;
+  readonly closed: boolean;
+  /** l/l₀ − 1 of the edge whose length changed most: above 0 stretched, below squeezed. */
+  readonly worstStretch: number;
+  readonly edgeRms: number;
+  readonly flippedTriangles: number;
+  readonly handlesMet: number;
+  readonly handles: number;
+}
+
+export class DeformState {
+  /** The open step while it is one that deforms. */
+  readonly step: ReadonlySignal<DeformStep | undefined>;
+  readonly gizmo = signal<GizmoMode>('translate');
+  readonly heat = signal(false);
+  /** Range of the heat map's legend: mean edge stretch, l/l₀ − 1. */
+  readonly heatRange = signal<readonly [number, number]>([-0.5, 0.5]);
+  readonly whatItDid = signal<WhatItDid | null>(null);
+  /** Per source vertex: mean of l/l₀ − 1 over its edges, for the heat map. */
+  readonly stretch = signal<Float32Array | null>(null);
+
+  constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
+    this.step = computed(() => stepOf(recipe.value, selection.value.step, 'deform'));
+  }
+}

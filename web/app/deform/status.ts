@@ -1,0 +1,20 @@
+// The status bar's sentence in the deform workspace.
+
+import { t } from '../i18n';
+import type { State } from '../state';
+import type { DeformState } from './state';
+
+/** Reads signals. @param key  the shortcut of a command as it is shown */
+export function deformStatus(state: State, own: DeformState, key: (command: string) => string): string {
+  const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
+  switch (state.tool.value) {
+    case 'select':
+      return own.step.value?.handles.length
+        ? t('status.select')
+        : t('status.select.none', { paint: key('tool.paint-handle') });
+    case 'point-handle':
+      return t('status.point');
+    default:
+      return state.brushMode.value === 'erase' ? t('status.erase', brush) : t('status.paint', brush);
+  }
+}

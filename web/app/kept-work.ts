@@ -1,0 +1,158 @@
+// What there is to go back to: the documents of the store, and what the journal has beyond it.
+
+import { LissomError } from '../core/errors';
+import { parseRecipe } from '../recipe/parse';
+import type { Recipe } from '../recipe/recipe';
+import type { MessageService } from './api';
+import type { Entry } from './document';
+import { t } from './i18n';
+import type { Journal, JournalEntry } from './journal';
+import type { ModelStore } from './model-store';
+import { type KeptDocument, replayed } from './replay';
+import { type DocumentStore, type StoredDocument, selectionOf } from './store';
+import type { Claims } from './tab-claim';
+
+export interface KeptWorkParts {
+  readonly store: DocumentStore;
+  readonly journal: Journal;
+  readonly models: ModelStore;
+  readonly claims: Claims;
+  readonly messages: MessageService;
+  readonly newId: () => string;
+  /** Called when a document that cannot be reached goes on as a copy. */
+  readonly onCopied: (id: string, copy: string) => void;
+}
+
+/** What could be read of a stored document. */
+export interface Opened {
+  readonly entries: readonly Entry[];
+  readonly index: number;
+  /** Files that the browser no longer has. */
+  readonly missing: readonly string[];
+  /** How many states of the history it no longer has. */
+  readonly lost: number;
+}
+
+export class KeptWork {
+  /** Replayed from the journal, but not yet taken by the store. */
+  readonly #replayed = new Map<string, KeptDocument>();
+
+  constructor(private readonly parts: KeptWorkParts) {}
+
+  /** Every one there is, newest first. @param open  the one that is open in this tab: its journal is being written */
+  async documents(open: string): Promise<readonly StoredDocument[]> {
+    const { store, messages } = this.parts;
+    let stored: readonly StoredDocument[] = [];
+    let isSilent = false;
+    try {
+      stored = await store.documents();
+      if (await this.#replay(open)) stored = await store.documents();
+    } catch (error) {
+      messages.failed(error);
+      isSilent = true;
+    }
+    if (isSilent) await this.#eachLeft(open, (entry) => this.#takeUpUnseen(entry));
+    const all = new Map(stored.map((each) => [each.id, each]));
+    for (const [id, { document }] of this.#replayed) all.set(id, document);
+    return [...all.values()].sort((a, b) => b.time - a.time);
+  }
+
+  /** @returns whether the store has something newer now */
+  async #replay(open: string): Promise<boolean> {
+    let isNewer = false;
+    await this.#eachLeft(open, async (entry) => {
+      if (await this.#takeUp(entry)) isNewer = true;
+    });
+    return isNewer;
+  }
+
+  /** What tabs that are gone have left in the journal. */
+  async #eachLeft(open: string, takeUp: (entry: JournalEntry) => Promise<unknown>): Promise<void> {
+    const { claims, journal, messages } = this.parts;
+    for (const id of journal.ids()) {
+      if (id === open || !(await claims.claim(id))) continue;
+      try {
+        const entry = journal.read(id);
+        if (entry) await takeUp(entry);
+      } catch (error) {
+        messages.failed(error);
+      }
+      claims.release(id);
+    }
+  }
+
+  async #takeUp(entry: JournalEntry): Promise<boolean> {
+    const { journal, store } = this.parts;
+    const known = await store.document(entry.id);
+    if (known && (known.revision ?? 0) >= entry.revision) {
+      journal.remove(entry.id);
+      return false;
+    }
+    const kept = await replayed(entry, known);
+    try {
+      await store.write(kept.document, kept.blobs);
+    } catch {
+      this.#replayed.set(entry.id, kept); // it stays in the journal; the next save says what is wrong
+      return false;
+    }
+    journal.remove(entry.id);
+    this.#replayed.delete(entry.id);
+    return true;
+  }
+
+  /** The store may have a history of the document, which one without it must not replace later: a copy. */
+  async #takeUpUnseen(entry: JournalEntry): Promise<undefined> {
+    if (this.#replayed.has(entry.id)) return;
+    const moved = this.parts.journal.move(entry, this.parts.newId());
+    this.parts.onCopied(entry.id, moved.id);
+    this.#replayed.set(moved.id, await replayed(moved));
+  }
+
+  async document(id: string): Promise<StoredDocument | undefined> {
+    return this.#replayed.get(id)?.document ?? this.parts.store.document(id);
+  }
+
+  /** Whether the store still lacks what was replayed. */
+  isUnwritten(id: string): boolean {
+    return this.#replayed.has(id);
+  }
+
+  /** The store has all of it now. */
+  written(id: string): void {
+    this.#replayed.delete(id);
+  }
+
+  /** Puts the files back and reads the history. @throws LissomError  where nothing is left of it */
+  async read({ id, title, entries: stored, index, files }: StoredDocument): Promise<Opened> {
+    const { store, models } = this.parts;
+    const missing: string[] = [];
+    for (const { file, hash } of files) {
+      const bytes = await this.#blob(hash);
+      if (bytes) models.put({ file, hash, bytes });
+      else missing.push(file);
+    }
+    const recipes = new Map<string, Recipe | undefined>();
+    const entries: Entry[] = [];
+    let shown = 0;
+    for (const [i, { recipe: hash, selection, label, time }] of stored.entries()) {
+      if (!recipes.has(hash)) {
+        const bytes = await this.#blob(hash);
+        recipes.set(hash, bytes && parseRecipe(new TextDecoder().decode(bytes)));
+      }
+      const document = recipes.get(hash);
+      if (!document) continue;
+      if (i <= index) shown = entries.length;
+      entries.push({ document, selection: selectionOf(selection), label, time });
+    }
+    if (entries.length === 0) {
+      await store.remove([id]);
+      throw new LissomError('work-gone', t('error.work-gone', { title }));
+    }
+    return { entries, index: shown, missing, lost: stored.length - entries.length };
+  }
+
+  async #blob(hash: string): Promise<Uint8Array | undefined> {
+    for (const { blobs } of this.#replayed.values()) if (blobs.has(hash)) return blobs.get(hash);
+    return this.parts.store.blob(hash);
+  }
+}

@@ -1,0 +1,87 @@
+// What the floors above know of the overlays: plain data in model space, and one port for each kind.
+
+import type { Tint } from '../palette';
+import type { Vec3 } from '../values';
+
+export interface PointMarker {
+  readonly id: string;
+  readonly position: Vec3;
+  readonly visible: boolean;
+  readonly selected: boolean;
+}
+
+/** Points that can be taken hold of. */
+export interface MarkersPort {
+  setMarkers(markers: readonly PointMarker[]): void;
+  /** CSS pixels from the viewport's top left corner. */
+  pickMarker(x: number, y: number): string | null;
+}
+
+/** A closed line on the surface. */
+export interface LoopLine {
+  /** 3 per point, model space; the last is joined to the first. */
+  readonly points: Float64Array;
+  /** White where left out. */
+  readonly tint?: Tint;
+  /** Under the pointer, or picked: wider. */
+  readonly strong: boolean;
+}
+
+export interface LoopsPort {
+  setLoops(loops: readonly LoopLine[]): void;
+}
+
+/** A curve with its control points. */
+export interface Curve {
+  readonly id: string;
+  readonly points: readonly Vec3[];
+  readonly tint: 'blue' | 'green' | 'yellow' | 'violet' | 'cyan' | 'coral';
+  readonly selected: boolean;
+  /** A mere line: its points are not shown and it cannot be picked. */
+  readonly plain?: boolean;
+}
+
+export interface CurveHit {
+  readonly id: string;
+  /** The control point under the pointer; null on the line between two. */
+  readonly point: number | null;
+  /** The line from point `segment` to the next is nearest. */
+  readonly segment: number;
+}
+
+export interface CurvesPort {
+  setCurves(curves: readonly Curve[]): void;
+  /** CSS pixels from the viewport's top left corner; control points win over lines. */
+  pickCurve(x: number, y: number): CurveHit | null;
+}
+
+/** Short arrows: 3 numbers each, same length. */
+export interface FieldSample {
+  readonly places: Float32Array;
+  /** Arrow from tail to tip, model units. */
+  readonly vectors: Float32Array;
+}
+
+export interface FieldPort {
+  setField(field: FieldSample | null): void;
+  /** What the field was asked for, drawn apart from it. */
+  setConstraints(constraints: FieldSample | null): void;
+}
+
+export interface Box {
+  readonly low: Vec3;
+  readonly high: Vec3;
+}
+
+export interface BoxPort {
+  setVolume(box: Box | null): void;
+}
+
+export interface SupportSurface {
+  readonly positions: Float64Array;
+  readonly triangles: Uint32Array;
+}
+
+export interface SupportPort {
+  setSupport(surface: SupportSurface | null): void;
+}
