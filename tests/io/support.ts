@@ -3,6 +3,9 @@ import fc from 'fast-check';
 import { LissomError } from '../../web/core/errors';
 import type { Model } from '../../web/core/model';
 import { readModel } from '../../web/io';
+import { makeModel } from './make-model';
+
+export { makeModel };
 
 export const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 export const text = (content: Uint8Array): string => new TextDecoder().decode(content);
@@ -28,19 +31,6 @@ export const facesOf = ({ faceOffsets, faceVertices }: Model): number[][] =>
   Array.from({ length: faceOffsets.length - 1 }, (_, f) => [
     ...faceVertices.subarray(faceOffsets[f]!, faceOffsets[f + 1]!),
   ]);
-
-export function makeModel(positions: readonly number[], faces: readonly (readonly number[])[]): Model {
-  const faceOffsets = new Uint32Array(faces.length + 1);
-  faces.forEach((face, f) => {
-    faceOffsets[f + 1] = faceOffsets[f]! + face.length;
-  });
-  return {
-    name: 'made.obj',
-    positions: Float64Array.from(positions),
-    faceOffsets,
-    faceVertices: Uint32Array.from(faces.flat()),
-  };
-}
 
 /** A model of the gallery as a file. */
 export const galleryFile = (name: string): Uint8Array =>

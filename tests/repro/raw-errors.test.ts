@@ -145,7 +145,7 @@ test('an ASCII STL with a stray vertex', () => {
 
 test('OFF 0 0 0', () => {
   expect(failure(() => read('OFF 0 0 0\n', 'a.off'))).toBe(
-    'file-not-a-mesh: a.off announces no vertices, so it holds no model. Open another file.',
+    'file-not-a-mesh: a.off holds no vertex, so it holds no model. Open another file.',
   );
   expect(failure(() => read('OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n1e9 0 1 2\n', 'a.off'))).toMatch(
     /^file-truncated: /,

@@ -7,6 +7,7 @@ import { Runner } from '../run/evaluate';
 import type { ViewportPort } from '../view/types';
 import type { App } from './api';
 import { Autosave } from './autosave';
+import { checkedStore } from './checked-store';
 import { Commands } from './commands';
 import { allCommands } from './commands/all';
 import { Desk } from './desk';
@@ -16,6 +17,7 @@ import { syncFigures } from './figures';
 import type { FileDialogs } from './file-dialogs';
 import { Files } from './files';
 import { Gallery } from './gallery';
+import { t } from './i18n';
 import { Keymap } from './keymap';
 import { Messages } from './messages';
 import { ModelStore } from './model-store';
@@ -92,7 +94,8 @@ export function buildApp(world: World): BuiltApp {
     failed,
   });
   const result = besidesViewing(state, evaluator);
-  const autosave = new Autosave({ ...world, state, document, models, messages });
+  const store = checkedStore(world.store, () => messages.toast('warn', t('error.stored-damaged')));
+  const autosave = new Autosave({ ...world, store, state, document, models, messages });
   const room = () => wings;
   const desk = new Desk(state, document, runner, room, autosave, messages);
   const workspaces = new Workspaces({ state, document, wings: room });

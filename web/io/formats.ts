@@ -1,4 +1,5 @@
-import type { Model, ModelFormat } from '../core/model';
+import { LissomError } from '../core/errors';
+import { type Model, type ModelFormat, vertexCount } from '../core/model';
 import { detectFormat, type FileFormat, FORMAT_NAMES, formatOfName } from './detect';
 import { readGltf } from './gltf-read';
 import { writeGltf } from './gltf-write';
@@ -21,6 +22,10 @@ export function readModel(bytes: Uint8Array, fileName: string): ReadResult {
   const name = fileName.replace(/^.*[/\\]/, '');
   const format = detectFormat(bytes, name);
   const { model, notes } = readAs(format, bytes, name);
+  if (vertexCount(model) === 0) {
+    const message = `${name} holds no vertex, so it holds no model. Open another file.`;
+    throw new LissomError('file-not-a-mesh', message);
+  }
   const promised = formatOfName(name);
   if (promised === undefined || promised === format) return { model, notes };
   const message = `${name} is called ${FORMAT_NAMES[promised]}, but it is ${FORMAT_NAMES[format]} and was read as such.`;

@@ -8,7 +8,7 @@ import { TextScanner } from './text-scanner';
 /**
  * OFF as text: vertices and polygons; colours, normals and texture coordinates are left out.
  *
- * @throws LissomError `file-truncated`, `count-too-large`, `file-not-a-mesh`, `file-too-large`, `format-unsupported` for the
+ * @throws LissomError `file-truncated`, `count-too-large`, `file-too-large`, `format-unsupported` for the
  *                     binary kind
  */
 export function readOff(bytes: Uint8Array, name: string): ReadResult {
@@ -36,10 +36,6 @@ export function readOff(bytes: Uint8Array, name: string): ReadResult {
   const [vertices, faces] = [whole(next()), whole(next())];
   next();
   checkAnnounced(name, `${vertices} vertices and ${faces} faces`, 6 * vertices + 2 * faces, bytes.length);
-  if (vertices === 0) {
-    const message = `${name} announces no vertices, so it holds no model. Open another file.`;
-    throw new LissomError('file-not-a-mesh', message);
-  }
   budget.take(24 * vertices);
   const positions = new Float64Array(3 * vertices);
   let extras = false;

@@ -3,6 +3,7 @@
 
 import { LissomError } from '../../../core/errors';
 import type { Model } from '../../../core/model';
+import { MAX_COORDINATE } from '../../../recipe/limits';
 import type { HairStep } from '../../../recipe/recipe';
 
 /** How many diagonals of the head a stroke may lie from its middle; hair to the ground reaches seven. */
@@ -10,9 +11,15 @@ const REACH = 10;
 
 type Points = HairStep['streams'][number]['points'];
 
-/** @throws LissomError `stroke-too-far` */
+/** @throws LissomError `stroke-too-far`; `head-too-large` for hair that single precision could not hold */
 export function checkReach({ streams, partings, ponytails }: HairStep, head: Model): void {
   const { middle, diagonal } = boxOf(head.positions);
+  if (diagonal > MAX_COORDINATE)
+    throw new LissomError(
+      'head-too-large',
+      `${JSON.stringify(head.name)} measures ${diagonal.toPrecision(3)}, and hair is grown on heads of at most ` +
+        `${MAX_COORDINATE}; scale the model down, or remove the vertices that lie far out.`,
+    );
   const check = (points: Points, place: string): void => {
     const at = points.findIndex((point) => !(distance(point, middle) <= REACH * diagonal));
     if (at < 0) return;
