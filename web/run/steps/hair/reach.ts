@@ -6,8 +6,11 @@ import type { Model } from '../../../core/model';
 import { MAX_COORDINATE } from '../../../recipe/limits';
 import type { HairStep } from '../../../recipe/recipe';
 
-/** How many diagonals of the head a stroke may lie from its middle; hair to the ground reaches seven. */
-const REACH = 10;
+/**
+ * How many diagonals of the head a stroke may lie from its middle. Hair to the ground reaches seven; beyond its volume a
+ * stroke changes nothing, which a warning tells, and beyond this it costs more than a warning is worth.
+ */
+const REACH = 100;
 
 type Points = HairStep['streams'][number]['points'];
 
