@@ -105,6 +105,6 @@ test('a parting that leads out of reach is refused before it is sampled', () => 
   expect(code).toBe('stroke-too-far');
   expect(message).toBe(
     'partings[0].points[1]: the point lies 1.00e+12 from the middle of "made.obj", which measures 1.41; ' +
-      'move it within 14.1, or remove the stroke.',
+      'move it within 141, or remove the stroke.',
   );
 });
