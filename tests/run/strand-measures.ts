@@ -1,7 +1,5 @@
 // What tests measure of grown hair by plain geometry, without the kernel's distance grid.
 
-import { BufferAttribute, BufferGeometry, Triangle as Corners, DoubleSide, Ray, Vector3 } from 'three';
-import { MeshBVH } from 'three-mesh-bvh';
 import type { Model } from '../../web/core/model';
 import type { Strands } from '../../web/core/strands';
 
@@ -56,38 +54,6 @@ export function depthInside(point: Vec, triangles: readonly Triangle[]): number 
     if (Math.min(la, lb, lc) - reach < nearest) nearest = Math.min(nearest, length(nearestToOrigin(a, b, c)));
   }
   return angle > 2 * Math.PI ? nearest : 0;
-}
-
-/**
- * How deep the deepest point of all strands lies inside, and 0 where none does; depths below `shallow` are not
- * told apart. Every point is asked for its nearest triangle. On which side of the surface it lies is seen on the way
- * there: the first triangle met shows its back to whoever is inside. Those are measured by `depthInside`.
- */
-export function deepestInside(strands: Strands, triangles: readonly Triangle[], shallow: number): number {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute('position', new BufferAttribute(Float64Array.from(triangles.flat(2)), 3));
-  const tree = new MeshBVH(geometry, { indirect: true });
-  const found = { point: new Vector3(), distance: 0, faceIndex: 0 };
-  const [ray, way] = [new Ray(), new Vector3()];
-  let deepest = 0;
-  for (let at = 0; at < strands.points.length / 3; at++) {
-    const point = strandPoint(strands, at);
-    ray.origin.set(...point);
-    tree.closestPointToPoint(ray.origin, found);
-    if (found.distance <= shallow) continue;
-    const [a, b, c] = triangles[found.faceIndex]!.map((corner) => new Vector3(...corner)) as [
-      Vector3,
-      Vector3,
-      Vector3,
-    ];
-    new Corners(a, b, c).getMidpoint(way).sub(ray.origin);
-    ray.direction.copy(way).normalize();
-    const hit = tree.raycastFirst(ray, DoubleSide);
-    const [p, q, r] = triangles[hit?.faceIndex ?? found.faceIndex]!;
-    const isOutside = dot(cross(minus(q, p), minus(r, p)), ray.direction.toArray() as Vec) < 0;
-    if (!isOutside) deepest = Math.max(deepest, depthInside(point, triangles));
-  }
-  return deepest;
 }
 
 /** The point of a triangle nearest to the origin. */
