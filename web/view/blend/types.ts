@@ -22,6 +22,8 @@ export interface BlendSurface {
 }
 
 export interface BlendPort {
+  /** Whether the graphics card can do this at all. */
+  readonly works: boolean;
   /**
    * The fields of the model on screen, kept on the graphics card until others come, or another model.
    *
