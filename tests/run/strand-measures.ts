@@ -1,5 +1,7 @@
 // What tests measure of grown hair by plain geometry, without the kernel's distance grid.
 
+import { BufferAttribute, BufferGeometry, DoubleSide, Ray, Vector3 } from 'three';
+import { MeshBVH } from 'three-mesh-bvh';
 import type { Model } from '../../web/core/model';
 import type { Strands } from '../../web/core/strands';
 
@@ -37,46 +39,58 @@ export function trianglesOf({ positions, faceOffsets, faceVertices }: Model): Tr
   return triangles;
 }
 
+/** A triangle more on every edge that has one only, to the middle of all such edges that hang together. */
+function closed(triangles: readonly Triangle[]): Triangle[] {
+  const open = new Map<string, [Vec, Vec]>();
+  for (const triangle of triangles)
+    for (const [k, a] of triangle.entries()) {
+      const b = triangle[(k + 1) % 3]!;
+      if (!open.delete(`${b}>${a}`)) open.set(`${a}>${b}`, [a, b]);
+    }
+  const next = new Map([...open.values()].map(([a, b]) => [String(a), b]));
+  const caps: Triangle[] = [];
+  while (next.size > 0) {
+    const loop: Vec[] = [];
+    for (let at = next.keys().next().value!; next.has(at); at = String(loop.at(-1))) {
+      loop.push(next.get(at)!);
+      next.delete(at);
+    }
+    const middle = [0, 1, 2].map(
+      (d) => loop.reduce((sum, p) => sum + p[d]!, 0) / loop.length,
+    ) as unknown as Vec;
+    for (const [k, b] of loop.entries()) caps.push([b, loop.at(k - 1)!, middle]);
+  }
+  return [...triangles, ...caps];
+}
+
+/** No side of a head, so that a ray runs along no edge of it. */
+const SOMEWHERE = new Vector3(0.31, 0.87, -0.38).normalize();
+
 /**
- * How deep a point lies inside, 0 outside: every triangle is asked. Inside is where the solid angles of all
- * triangles add up to more than half a sphere's.
+ * How deep the deepest point of all strands lies inside, 0 where none does; depths up to `shallow` are not told apart.
+ * Every point is asked how far the surface is, its openings closed. It is inside where a ray leaves the surface once
+ * more often than it enters.
  */
-export function depthInside(point: Vec, triangles: readonly Triangle[]): number {
-  let angle = 0;
-  let nearest = Infinity;
-  for (const [p, q, r] of triangles) {
-    const [a, b, c] = [minus(p, point), minus(q, point), minus(r, point)];
-    const [la, lb, lc] = [length(a), length(b), length(c)];
-    const below = la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb;
-    angle += 2 * Math.atan2(dot(a, cross(b, c)), below);
-    // No corner nearer than this triangle's reach beyond what is known: it cannot be the nearest.
-    const reach = Math.max(length(minus(a, b)), length(minus(b, c)), length(minus(c, a)));
-    if (Math.min(la, lb, lc) - reach < nearest) nearest = Math.min(nearest, length(nearestToOrigin(a, b, c)));
+export function deepestInside(strands: Strands, triangles: readonly Triangle[], shallow: number): number {
+  const surface = closed(triangles);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float64Array.from(surface.flat(2)), 3));
+  const tree = new MeshBVH(geometry, { indirect: true });
+  const ray = new Ray(new Vector3(), SOMEWHERE);
+  const leaving = (face: number): number => {
+    const [p, q, r] = surface[face]!;
+    return Math.sign(dot(cross(minus(q, p), minus(r, p)), SOMEWHERE.toArray()));
+  };
+  let deepest = 0;
+  for (let at = 0; at < strands.points.length / 3; at++) {
+    ray.origin.set(...strandPoint(strands, at));
+    // Beyond its limit the tree may still answer, with what it came across.
+    const near = tree.closestPointToPoint(ray.origin, undefined, shallow, shallow);
+    if (near && near.distance <= shallow) continue;
+    const out = tree.raycast(ray, DoubleSide).reduce((sum, hit) => sum + leaving(hit.faceIndex!), 0);
+    if (out > 0) deepest = Math.max(deepest, tree.closestPointToPoint(ray.origin)!.distance);
   }
-  return angle > 2 * Math.PI ? nearest : 0;
-}
-
-/** The point of a triangle nearest to the origin. */
-function nearestToOrigin(a: Vec, b: Vec, c: Vec): Vec {
-  const normal = cross(minus(b, a), minus(c, a));
-  const square = dot(normal, normal);
-  if (square > 0) {
-    const foot = along([0, 0, 0], dot(a, normal) / square, normal);
-    const inside = [
-      [a, b],
-      [b, c],
-      [c, a],
-    ].every(([p, q]) => dot(cross(minus(q!, p!), minus(foot, p!)), normal) >= 0);
-    if (inside) return foot;
-  }
-  const feet = [onSegment(a, b), onSegment(b, c), onSegment(c, a)];
-  return feet.reduce((best, foot) => (length(foot) < length(best) ? foot : best));
-}
-
-function onSegment(a: Vec, b: Vec): Vec {
-  const by = minus(b, a);
-  const square = dot(by, by);
-  return along(a, square > 0 ? Math.min(1, Math.max(0, -dot(a, by) / square)) : 0, by);
+  return deepest;
 }
 
 /** On which side of a parting a point lies: its distance from the plane there, `null` beyond the line's ends. */

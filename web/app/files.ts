@@ -2,6 +2,7 @@
 
 import { LissomError } from '../core/errors';
 import { type Model, withPositions } from '../core/model';
+import { checkFileSize } from '../io/budget';
 import { readModel, writeModel, writeProject } from '../io/index';
 import { formatRecipe } from '../recipe/format';
 import type { ViewportPort } from '../view/types';
@@ -66,6 +67,8 @@ export class Files implements FileService {
     if (!first) return;
     state.busy.value = { label: t('busy.reading', { name: first.name }), fraction: null, cancel: null };
     try {
+      // Before it takes memory.
+      for (const { name, size } of files) checkFileSize(name, size);
       const read = await Promise.all(
         files.map(async (file) => ({ name: file.name, bytes: new Uint8Array(await file.arrayBuffer()) })),
       );

@@ -1,6 +1,7 @@
 import type { GizmoMode } from '../../view/types';
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
+import { selectedItem } from '../commands/selected-item';
 import type { MessageKey } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import type { DeformService } from './api';
@@ -15,17 +16,9 @@ export function deformCommands(context: Context, own: DeformState, deform: Defor
   const group = 'handle';
   const workspace = 'deform';
   const tool = pickTool<(typeof TOOLS)[number]>(workspace, context);
-  const index = () => state.selection.value.item;
-  const selected = () => index() !== null;
+  const { selected, onSelected, stepped } = selectedItem(state);
   const count = () => own.step.value?.handles.length ?? 0;
-  const onSelected = (act: (handle: number) => void) => () => {
-    const handle = index();
-    if (handle !== null) act(handle);
-  };
-  const next = (by: number) => () => {
-    const from = index() ?? (by > 0 ? -1 : 0);
-    document.select((from + by + count()) % count());
-  };
+  const next = (by: number) => () => document.select(stepped(by, count()));
   const gizmo = (mode: GizmoMode, name: 'move' | 'rotate' | 'scale', icon: string, key: string): Command => ({
     id: `gizmo.${name}`,
     group,

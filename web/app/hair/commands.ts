@@ -1,6 +1,7 @@
 import { primitivesOf } from '../../tools/hair/style';
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
+import { selectedItem } from '../commands/selected-item';
 import type { MessageKey } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import type { HairService } from './api';
@@ -22,21 +23,13 @@ export function hairCommands(context: Context, own: HairState, hair: HairService
   const { state, document, viewport } = context;
   const workspace = 'hair';
   const group = 'hair';
-  const index = () => state.selection.value.item;
-  const selected = () => index() !== null;
+  const { selected, onSelected, stepped } = selectedItem(state);
   const primitives = () => (own.step.value ? primitivesOf(own.step.value) : []);
-  const onSelected = (act: (index: number) => void) => () => {
-    const at = index();
-    if (at !== null) act(at);
-  };
   const tool = pickTool<(typeof TOOLS)[number]>(workspace, context, (id) => {
     // Whoever reaches for this one means to click a curve.
     if (id === 'hair-select') own.show.value = { ...own.show.peek(), curves: true };
   });
-  const next = (by: number) => () => {
-    const count = primitives().length;
-    hair.select(((index() ?? (by > 0 ? -1 : 0)) + by + count) % count);
-  };
+  const next = (by: number) => () => hair.select(stepped(by, primitives().length));
   const show = (what: keyof HairShow, icon: string, keys: readonly string[] = []): Command => ({
     id: `hair.show-${what}`,
     group,

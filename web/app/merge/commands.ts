@@ -1,5 +1,6 @@
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
+import { selectedItem } from '../commands/selected-item';
 import type { WingParts } from '../wing-parts';
 import type { MergeActions } from './actions';
 import type { MergeState } from './state';
@@ -13,7 +14,7 @@ export function mergeCommands(context: Context, own: MergeState, merge: MergeAct
   const workspace = 'merge';
   const group = 'merge';
   const open = () => own.step.value !== undefined && !state.choosing.value;
-  const pin = () => state.selection.value.item;
+  const { selected, onSelected } = selectedItem(state);
   const tool = pickTool<(typeof TOOLS)[number]>(workspace, context);
   return [
     tool('merge-pins', 'map-pin', ['V']),
@@ -84,18 +85,15 @@ export function mergeCommands(context: Context, own: MergeState, merge: MergeAct
       title: 'command.merge.remove-pin',
       icon: 'trash-2',
       keys: ['Delete', 'Backspace'],
-      enabled: () => pin() !== null,
-      run: () => {
-        const number = pin();
-        if (number !== null) merge.joins.removePin(number);
-      },
+      enabled: selected,
+      run: onSelected((number) => merge.joins.removePin(number)),
     },
     {
       id: 'merge.deselect',
       group,
       workspace,
       title: 'command.merge.deselect',
-      enabled: () => pin() !== null || own.picked.value !== null,
+      enabled: () => selected() || own.picked.value !== null,
       run: () => {
         own.picked.value = null;
         document.select(null);
