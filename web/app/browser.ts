@@ -8,7 +8,7 @@ import { t } from './i18n';
 import { openLink } from './start';
 import { BrowserStore } from './store';
 import { tabClaims } from './tab-claim';
-import { watchForUpdate } from './update-check';
+import { scriptOf, watchForUpdate } from './update-check';
 
 export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>): World {
   const page = () => location.href.replace(/[?#].*$/s, '');
@@ -89,7 +89,12 @@ export function followFrameRate({ state, viewport }: BuiltApp): void {
 
 /** Offline use, and word of a newer version. For the built page only. */
 export function keepOffline(app: BuiltApp): void {
-  navigator.serviceWorker?.register('sw.js').catch(() => {
+  const offline = navigator.serviceWorker;
+  // A newer service worker asks which version each page is, before it clears older ones away.
+  offline?.addEventListener('message', ({ ports }) =>
+    ports[0]?.postMessage(scriptOf(document.documentElement.outerHTML)),
+  );
+  offline?.register('sw.js').catch(() => {
     // A browser that forbids it still has the page, only not offline.
   });
   watchForUpdate(document, () => {
