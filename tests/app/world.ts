@@ -199,6 +199,8 @@ export class Tab {
   readonly copied: string[] = [];
   readonly app: BuiltApp;
   reloads = 0;
+  /** The link that the address shows. */
+  link: string | undefined;
   /** Tells the app that another tab has a document, too. */
   lose: (id: string) => void = () => {};
 
@@ -234,6 +236,9 @@ export class Tab {
       tab: session,
       galleryBase: 'https://lissom.test/gallery/',
       address: () => 'https://lissom.test/',
+      settleAddress: (link) => {
+        this.link = link;
+      },
       copy: async (text) => void this.copied.push(text),
       persist: () => {},
       newId: () => `document-${++browser.ids}`,

@@ -36,6 +36,8 @@ export interface AutosaveParts {
   readonly messages: MessageService;
   /** Of this tab, lasting over reloads. */
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
+  /** The address leads to what is open: with another one a reload would bring something else. */
+  readonly settleAddress: (link: string | undefined) => void;
   /** Asks the browser not to evict what is kept. */
   readonly persist: () => void;
   readonly newId: () => string;
@@ -89,7 +91,13 @@ export class Autosave implements AutosaveService {
     void this.parts.claims.claim(this.#id);
     this.#own = own;
     this.#link = link;
+    this.settleAddress();
     this.parts.state.saved.value = { kind: 'clean' };
+  }
+
+  /** Takes a link off the address that is not the open document's. */
+  settleAddress(): void {
+    this.parts.settleAddress(this.#link);
   }
 
   /** Marks the document as to be saved. */
@@ -326,6 +334,7 @@ export class Autosave implements AutosaveService {
     this.#follow(mine ? stored.id : newId(), revision);
     this.#own = true;
     this.#link = stored.link;
+    this.settleAddress();
     if (!mine) {
       void claims.claim(this.#id);
       this.touch();

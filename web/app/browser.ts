@@ -21,6 +21,10 @@ export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>)
     tab: storageOf(() => sessionStorage) ?? { getItem: () => null, setItem: () => {} },
     galleryBase: new URL('gallery/', page()).href,
     address: page,
+    settleAddress: (link = '') => {
+      if (hasLink(location.hash) && location.hash !== link)
+        history.replaceState(history.state, '', page() + location.search + link);
+    },
     copy: (text) => navigator.clipboard.writeText(text),
     persist: () => void navigator.storage?.persist?.(),
     newId,
@@ -57,7 +61,7 @@ export function listen(app: BuiltApp): void {
     void app.files.openFiles(files);
   });
   window.addEventListener('hashchange', () => {
-    if (hasLink(location.hash)) void openLink(app, location.hash);
+    if (hasLink(location.hash)) void openLink(app, location.hash).then(() => app.autosave.settleAddress());
   });
   const leave = () => {
     app.autosave.lastWord();
