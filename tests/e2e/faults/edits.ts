@@ -36,13 +36,13 @@ async function select({ page }: Desk, { step, selected }: Open, index: number): 
 const edits: readonly Edit[] = [
   {
     name: 'drag',
-    weight: 5,
+    weight: 4,
     fits: hasHandles,
     async make(desk, random, { step }) {
       const { vertices } = random.pick(step!.handles);
       const grip = await desk.spot(await desk.reachable(vertices, COUNT));
       const by = { x: Math.round(random.between(-90, 90)), y: Math.round(random.between(-90, 90)) };
-      await desk.hold(grip, by, 2 + random.below(4));
+      await desk.hold(grip, by, 1 + random.below(3));
       await desk.page.mouse.up();
     },
   },

@@ -5,7 +5,7 @@ import { encodeLink } from '../../../web/recipe/link/link';
 import type { Random } from '../../fuzz/random';
 import type { Desk } from '../desk';
 import { chosen } from './edits';
-import { BlindDesk, type Victim, workIn } from './victim';
+import { type Victim, workIn } from './victim';
 
 /** What costs little to open. */
 const OTHER = encodeLink({ lissom: 1, models: { key: { builtin: 'key' } }, steps: [], outputs: [] });
@@ -15,8 +15,8 @@ export type Death = 'reload' | 'close' | 'crash';
 
 export interface Fault {
   readonly kind: string;
-  /** The page does not outlive it; the others are followed by a death of any kind. */
-  readonly death?: Death;
+  /** How the page ends at last, or by this alone; of any kind when left out. */
+  readonly deaths?: readonly Death[];
   /** The document is only safe once the page says so: nothing else can keep it. */
   readonly onlyOnceSaved?: boolean;
   /** The page ends while it opens, too, some times. */
@@ -32,20 +32,24 @@ export type Heal = () => Promise<void>;
 
 const nothing: Heal = async () => {};
 
+export const DEATHS: readonly Death[] = ['reload', 'close', 'crash'];
+/** Tabs that were opened by one another share a process, which crashes as a whole. */
+const NOT_ALL_AT_ONCE: readonly Death[] = ['reload', 'close'];
+
 export const faults: readonly Fault[] = [
   { kind: 'worker killed', begin: (_, { page }) => killWorker(page, true) },
   { kind: 'context lost', begin: (_, { page }) => loseContext(page) },
   { kind: 'quota full', begin: (victim, { page }) => fillQuota(victim, page) },
-  { kind: 'tab crashed', death: 'crash' },
+  { kind: 'tab crashed', deaths: ['crash'] },
   { kind: 'database refuses', begin: (_, { page }, random) => refuse(page, random) },
-  { kind: 'reload', death: 'reload' },
+  { kind: 'reload', deaths: ['reload'] },
   { kind: 'database closed', begin: (_, { page }) => closeDatabases(page) },
-  { kind: 'tab closed', death: 'close' },
+  { kind: 'tab closed', deaths: ['close'] },
   { kind: 'journal full', onlyOnceSaved: true, begin: (_, { page }) => fillJournal(page) },
   { kind: 'database blocked', begin: (victim) => blockDatabase(victim) },
-  { kind: 'killed while it opens', death: 'crash', whileOpening: true },
-  { kind: 'two tabs', begin: openTwice },
-  { kind: 'two tabs without locks', locks: false, begin: openTwice },
+  { kind: 'killed while it opens', deaths: ['crash'], whileOpening: true },
+  { kind: 'two tabs', deaths: NOT_ALL_AT_ONCE, begin: openTwice },
+  { kind: 'two tabs without locks', locks: false, deaths: NOT_ALL_AT_ONCE, begin: openTwice },
   { kind: 'worker vanished', begin: (_, { page }) => killWorker(page, false) },
   { kind: 'database deleted', onlyOnceSaved: true, begin: (victim, { page }) => clear(victim, page) },
 ];
@@ -138,15 +142,9 @@ async function blockDatabase({ context }: Victim): Promise<Heal> {
 }
 
 /** Another tab opens the same document, and goes on with it while this one does. */
-async function openTwice(victim: Victim, { page }: Desk, random: Random): Promise<Heal> {
-  const opened = victim.context.waitForEvent('page');
-  // As duplicating a tab does, it takes this one's session storage along.
-  await page.evaluate((link) => void window.open(link), `?test=1${OTHER}`);
-  const other = new BlindDesk(await opened);
-  await other.ready();
-  await other.command('restore points');
-  await other.page.getByRole('dialog').getByRole('button', { name: 'Open' }).first().click();
-  await other.page.waitForFunction(() => window.__lissom.app.state.title.peek() === 'bar');
+async function openTwice(victim: Victim, desk: Desk, random: Random): Promise<Heal> {
+  const other = await victim.duplicate(desk, `?test=1${OTHER}`);
+  await other.openEarlier('bar');
   for (let i = 1 + random.below(2); i > 0; i--) await (await chosen(other, random)).make();
   const { recipe } = await workIn(other);
   return async () => {

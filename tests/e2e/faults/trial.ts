@@ -7,7 +7,7 @@ import { Random } from '../../fuzz/random';
 import { type Desk, gap, handleGap } from '../desk';
 import { BAR, BAR_RECIPE } from '../shapes';
 import { chosen, isBackAndForth } from './edits';
-import { type Death, end, type Fault, faults, type Heal } from './faults';
+import { DEATHS, type Death, end, type Fault, faults, type Heal } from './faults';
 import { BlindDesk, type Profile, saved, Victim, type VictimOptions, workIn } from './victim';
 
 export interface Outcome {
@@ -89,7 +89,7 @@ class Course {
       }
       await this.#isThere(desk, await this.#last(desk));
     }
-    const death = fault.death ?? random.pick<Death>(['reload', 'close', 'crash']);
+    const death = random.pick(fault.deaths ?? DEATHS);
     const again = await this.#die(desk, death, heal);
     await this.#edit(again, 1);
     await saved(again);

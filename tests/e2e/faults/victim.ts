@@ -45,6 +45,14 @@ export class BlindDesk extends Desk {
       await window.__lissom.app.evaluator.settled();
     });
   }
+
+  /** Opens the newest restore point of another tab or another day. */
+  async openEarlier(title: string): Promise<void> {
+    await this.command('restore points');
+    await this.page.getByRole('dialog').getByRole('button', { name: 'Open' }).first().click();
+    await this.page.waitForFunction((wanted) => window.__lissom.app.state.title.peek() === wanted, title);
+    await this.settled();
+  }
 }
 
 export interface VictimOptions {
@@ -90,7 +98,16 @@ export class Victim {
     return withoutPickers(await this.context.newPage());
   }
 
-  async open(address = '?test=1'): Promise<Desk> {
+  /** As duplicating a tab does, the new one takes the old one's session storage along. */
+  async duplicate({ page }: Desk, address = '?test=1'): Promise<BlindDesk> {
+    const opened = this.context.waitForEvent('page');
+    await page.evaluate((there) => void window.open(there), address);
+    const desk = new BlindDesk(await opened);
+    await desk.ready();
+    return desk;
+  }
+
+  async open(address = '?test=1'): Promise<BlindDesk> {
     const desk = new BlindDesk(await this.tab());
     await desk.open(address);
     return desk;
