@@ -114,7 +114,7 @@ export class BrowserStore implements DocumentStore {
   async #ask<T>(work: (database: Database) => Promise<T>, patience = PATIENCE): Promise<T> {
     const answered = async () => {
       const opened = this.#open();
-      const database = await opened;
+      const database = await within(PATIENCE, opened);
       try {
         return await work(database);
       } catch (error) {

@@ -112,7 +112,10 @@ class Course {
     const isReadable = before.saved !== 'saved';
     if (heal && !isReadable) await heal();
     const again = await this.#reopened(desk.page, death);
-    if (heal && isReadable) await heal();
+    if (heal && isReadable) {
+      await heal();
+      await saved(again); // and has been given what the store kept back
+    }
     await this.#isThere(again, commits.at(-1)!, isOver ? undefined : making, commits);
     const there = await workIn(again);
     if (there.recipe === before.recipe && before.positions)
