@@ -185,6 +185,28 @@ test('where the journal has no room the store is written at once', async () => {
   expect((await again(tab)).app.document.recipe).toEqual(tab.app.document.recipe);
 });
 
+test('an edit is at risk only while neither journal nor store has it', async () => {
+  const tab = await edited();
+  const { storage, store } = tab.browser;
+  const { autosave } = tab.app;
+  move(tab, 5);
+  expect(autosave.isAtRisk).toBe(false);
+  storage.full = true;
+  move(tab, 6);
+  expect(autosave.isAtRisk).toBe(true);
+  await autosave.flush();
+  expect(autosave.isAtRisk).toBe(false);
+  store.broken = true;
+  move(tab, 7);
+  await autosave.flush();
+  expect(autosave.isAtRisk).toBe(true);
+  // With room again the last word of a page that is left is enough.
+  storage.full = false;
+  autosave.lastWord();
+  expect(autosave.isAtRisk).toBe(false);
+  expect((await again(tab)).app.document.recipe).toEqual(tab.app.document.recipe);
+});
+
 test('a file of one’s own is in the store at once: the journal cannot hold it', async () => {
   const tab = new Tab();
   await tab.openCube();

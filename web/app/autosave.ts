@@ -87,6 +87,12 @@ export class Autosave implements AutosaveService {
     return this.#revision;
   }
 
+  /** Whether an edit is neither in the journal nor in the store: it would go with the page. */
+  get isAtRisk(): boolean {
+    if (this.#id === '' || !this.#isOwn) return false;
+    return Math.max(this.#journalled, this.#written) < this.#revision;
+  }
+
   /** A new document: what was kept of the last one stays. */
   begin({ own, link }: { readonly own: boolean; readonly link?: string | undefined }): void {
     this.#follow(this.parts.newId(), 0);
@@ -120,8 +126,7 @@ export class Autosave implements AutosaveService {
 
   /** Puts the newest state into the journal if neither it nor the store has it. Done when it returns. */
   lastWord(): void {
-    if (this.#id === '' || !this.#isOwn) return;
-    if (Math.max(this.#journalled, this.#written) >= this.#revision) return;
+    if (!this.isAtRisk) return;
     const { document, state } = this.parts;
     const current = document.entries[document.index]!;
     const after = document.entries[document.index - 1];

@@ -68,6 +68,10 @@ export function listen(app: BuiltApp): void {
     void app.autosave.flush();
   };
   window.addEventListener('pagehide', leave);
+  window.addEventListener('beforeunload', (event) => {
+    app.autosave.lastWord();
+    if (app.autosave.isAtRisk) event.preventDefault();
+  });
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') leave();
   });
