@@ -2,7 +2,8 @@
 // `npm run faults`, which sets how many there are and where they begin.
 
 import { chromium, expect, test } from '@playwright/test';
-import { type Death, end } from './faults/faults';
+import { Random } from '../fuzz/random';
+import { type Death, end, faults } from './faults/faults';
 import { type Outcome, profileWithBar, trial } from './faults/trial';
 import { type BlindDesk, saved, Victim, workIn } from './faults/victim';
 import { BAR, BAR_RECIPE } from './shapes';
@@ -66,6 +67,34 @@ for (const death of ['close', 'crash', 'reload'] satisfies Death[])
     expect(victim.troubles).toEqual([]);
     await victim.leave();
   });
+
+test('a page whose last edit is kept nowhere asks before it is left', async ({ browser, baseURL }) => {
+  const victim = await Victim.arrive(browser, { baseURL: baseURL! });
+  const desk = await victim.open();
+  const { page } = desk;
+  await desk.choose(['bar.json', BAR_RECIPE], ['bar.obj', BAR]);
+  await saved(desk);
+  const asked: string[] = [];
+  page.on('dialog', (dialog) => {
+    asked.push(dialog.type());
+    void dialog.dismiss();
+  });
+  const heals = [];
+  for (const kind of ['journal full', 'database refuses'])
+    heals.push(await faults.find((each) => each.kind === kind)!.begin!(victim, desk, new Random(1)));
+  await lift(desk, 3);
+  await page.waitForFunction(() => window.__lissom.app.state.saved.peek().kind === 'failed');
+  const before = await workIn(desk);
+  await page.evaluate(() => location.reload());
+  await expect.poll(() => asked).toEqual(['beforeunload']);
+  for (const heal of heals) await heal();
+  await saved(desk);
+  await page.reload();
+  await desk.ready();
+  expect(asked).toHaveLength(1);
+  expect((await workIn(desk)).recipe).toBe(before.recipe);
+  await victim.leave();
+});
 
 test('on plain http, where the browser has no locks, two tabs do not share a document', async () => {
   const site = await new Site().start();

@@ -73,7 +73,7 @@ class Course {
   async run(): Promise<void> {
     const { fault, random, victim } = this;
     const desk = await victim.open();
-    await this.#edit(desk, 1 + random.below(3));
+    await this.#edit(desk, 1 + random.below(2));
     let heal: Heal | undefined;
     if (fault.begin) {
       const making = await this.#begin(desk);
@@ -81,7 +81,7 @@ class Course {
       heal = await fault.begin(victim, desk, random);
       this.story.push(fault.kind);
       await making.made;
-      await this.#edit(desk, 1 + random.below(3));
+      await this.#edit(desk, 1 + random.below(2));
       if (random.chance(0.5)) {
         await heal();
         heal = undefined;
