@@ -153,7 +153,10 @@ export class MemoryStore implements DocumentStore {
     return [...this.kept.values()];
   };
   document = async (id: string) => this.kept.get(id);
-  blob = async (hash: string) => this.blobs.get(hash);
+  blob = async (hash: string) => {
+    if (this.silent) throw new Error('no answer');
+    return this.blobs.get(hash);
+  };
   async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
     if (this.broken || this.silent) throw new Error('the disk is full');
     const missing = [...blobs].filter(([hash]) => !this.blobs.has(hash));
@@ -199,6 +202,8 @@ export class Tab {
   readonly copied: string[] = [];
   readonly app: BuiltApp;
   reloads = 0;
+  /** The link that the address shows. */
+  link: string | undefined;
   /** Tells the app that another tab has a document, too. */
   lose: (id: string) => void = () => {};
 
@@ -234,6 +239,9 @@ export class Tab {
       tab: session,
       galleryBase: 'https://lissom.test/gallery/',
       address: () => 'https://lissom.test/',
+      settleAddress: (link) => {
+        this.link = link;
+      },
       copy: async (text) => void this.copied.push(text),
       persist: () => {},
       newId: () => `document-${++browser.ids}`,

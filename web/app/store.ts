@@ -84,10 +84,12 @@ export class BrowserStore implements DocumentStore {
         // Looked for and written in one transaction: in between, another tab could remove what was found.
         const transaction = database.transaction(['documents', 'blobs'], 'readwrite');
         const kept = transaction.objectStore('blobs');
-        const puts = [...blobs].map(async ([hash, bytes]) => {
-          if ((await kept.getKey(hash)) === undefined) await kept.put(bytes, hash);
-        });
-        await Promise.all([...puts, transaction.objectStore('documents').put(document), transaction.done]);
+        await wholly(transaction, [
+          ...[...blobs].map(([hash, bytes]) => async () => {
+            if ((await kept.getKey(hash)) === undefined) await kept.put(bytes, hash);
+          }),
+          () => transaction.objectStore('documents').put(document),
+        ]);
       },
       PATIENCE + bytes / SLOWEST_BYTES_PER_MILLISECOND,
     );
@@ -101,8 +103,10 @@ export class BrowserStore implements DocumentStore {
       const all = await documents.getAll();
       const kept = new Set(all.filter(({ id }) => !ids.includes(id)).flatMap(hashesOf));
       const gone = (await blobs.getAllKeys()).filter((hash) => !kept.has(hash));
-      const deleted = [...ids.map((id) => documents.delete(id)), ...gone.map((hash) => blobs.delete(hash))];
-      await Promise.all([...deleted, transaction.done]);
+      await wholly(transaction, [
+        ...ids.map((id) => () => documents.delete(id)),
+        ...gone.map((hash) => () => blobs.delete(hash)),
+      ]);
     });
   }
 
@@ -110,7 +114,7 @@ export class BrowserStore implements DocumentStore {
   async #ask<T>(work: (database: Database) => Promise<T>, patience = PATIENCE): Promise<T> {
     const answered = async () => {
       const opened = this.#open();
-      const database = await opened;
+      const database = await within(PATIENCE, opened);
       try {
         return await work(database);
       } catch (error) {
@@ -144,6 +148,34 @@ export class BrowserStore implements DocumentStore {
   /** The next question opens it again. */
   #forget(opened: Promise<Database>): void {
     if (this.#database === opened) this.#database = undefined;
+  }
+}
+
+/**
+ * All of a transaction or nothing. A request that fails ends it by itself; one that is refused before it is made does
+ * not, and what the others have written would be kept without its part.
+ */
+async function wholly(
+  transaction: { readonly done: Promise<void>; abort(): void },
+  parts: readonly (() => Promise<unknown>)[],
+): Promise<void> {
+  const made = parts.map(async (make) => make());
+  try {
+    await Promise.all(made);
+  } catch (error) {
+    // Nobody waits for the rest any more.
+    for (const each of [...made, transaction.done]) each.catch(() => {});
+    abort(transaction);
+    throw error;
+  }
+  await transaction.done;
+}
+
+function abort(transaction: { abort(): void }): void {
+  try {
+    transaction.abort();
+  } catch {
+    // It had ended already.
   }
 }
 
