@@ -213,6 +213,33 @@ test('a file of one’s own is in the store at once: the journal cannot hold it'
   await vi.waitFor(() => expect(tab.browser.store.kept.size).toBe(1), { timeout: 900, interval: 20 });
 });
 
+test('a tab that comes back has its work although another is just taking up what it left', async () => {
+  const tab = await edited();
+  move(tab, 5);
+  tab.close();
+  const { store } = tab.browser;
+  const write = store.write.bind(store);
+  let goOn = () => {};
+  store.write = async (...args) => {
+    store.write = write;
+    await new Promise<void>((done) => {
+      goOn = done;
+    });
+    return write(...args);
+  };
+  const other = new Tab(tab.browser);
+  const restoring = other.app.autosave.restoreLast();
+  await vi.waitFor(() => expect(store.write).toBe(write));
+  const next = await again(tab);
+  expect(next.app.document.recipe).toEqual(tab.app.document.recipe);
+  move(next, 6);
+  await next.app.autosave.flush();
+  // What the other one has begun is old by now, and the document taken.
+  goOn();
+  expect(await restoring).toBe(false);
+  expect((await again(next)).app.document.recipe).toEqual(next.app.document.recipe);
+});
+
 test('what a living tab has in the journal is its own', async () => {
   const tab = await edited();
   move(tab, 5);

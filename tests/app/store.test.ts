@@ -104,6 +104,18 @@ test('what is refused before it is written takes the rest with it', async () => 
   expect((await store.document('a'))?.entries).toHaveLength(2);
 });
 
+test('what is only to be written where it is newer leaves the rest alone', async () => {
+  const store = new BrowserStore();
+  const at = (revision: number, ...hashes: string[]) => ({ ...document('a', ...hashes), revision });
+  await store.write(at(3, 'x'), blobs('x'), true);
+  await store.write(at(3, 'x', 'y'), blobs('x', 'y'), true);
+  await store.write(at(2, 'x', 'y'), blobs('x', 'y'), true);
+  expect((await store.document('a'))?.entries).toHaveLength(1);
+  expect(await store.blob('y')).toBeUndefined();
+  await store.write(at(4, 'x', 'y'), blobs('x', 'y'), true);
+  expect((await store.document('a'))?.revision).toBe(4);
+});
+
 test('a database that another tab closed by deleting it is opened again', async () => {
   const store = new BrowserStore();
   await store.write(document('a', 'x'), blobs('x'));

@@ -157,7 +157,12 @@ export class MemoryStore implements DocumentStore {
     if (this.silent) throw new Error('no answer');
     return this.blobs.get(hash);
   };
-  async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
+  async write(
+    document: StoredDocument,
+    blobs: ReadonlyMap<string, Uint8Array>,
+    onlyNewer = false,
+  ): Promise<void> {
+    if (onlyNewer && (this.kept.get(document.id)?.revision ?? -1) >= (document.revision ?? 0)) return;
     if (this.broken || this.silent) throw new Error('the disk is full');
     const missing = [...blobs].filter(([hash]) => !this.blobs.has(hash));
     for (const [hash, bytes] of missing) this.blobs.set(hash, bytes);
@@ -223,6 +228,7 @@ export class Tab {
           if (owner === this) browser.claimed.set(id, this);
           return owner === this;
         },
+        isFree: async (id) => (browser.claimed.get(id) ?? this) === this,
         release: (id) => void browser.claimed.delete(id),
         onLost: (listener) => {
           this.lose = listener;

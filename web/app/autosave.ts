@@ -271,6 +271,7 @@ export class Autosave implements AutosaveService {
       this.#kept.written(id);
       if (this.#journalled <= revision) this.#journal.remove(id);
       await this.#putBack(id);
+      if (id !== this.#id) return;
       state.saved.value = this.#isWritten ? { kind: 'saved', time } : { kind: 'unsaved' };
     } catch (error) {
       const detail = error instanceof Error ? error.message : String(error);

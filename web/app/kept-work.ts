@@ -73,18 +73,20 @@ export class KeptWork {
     return isNewer;
   }
 
-  /** What tabs that are gone have left in the journal. */
+  /**
+   * What tabs that are gone have left in the journal. Nothing is claimed: one of them may just be coming back, and its
+   * document must be free for it. What it does meanwhile is newer, and never written over.
+   */
   async #eachLeft(open: string, takeUp: (entry: JournalEntry) => Promise<unknown>): Promise<void> {
     const { claims, journal, messages } = this.parts;
     for (const id of journal.ids()) {
-      if (id === open || !(await claims.claim(id))) continue;
+      if (id === open || !(await claims.isFree(id))) continue;
       try {
         const entry = journal.read(id);
         if (entry) await takeUp(entry);
       } catch (error) {
         messages.failed(error);
       }
-      claims.release(id);
     }
   }
 
@@ -92,17 +94,17 @@ export class KeptWork {
     const { journal, store } = this.parts;
     const known = await store.document(entry.id);
     if (known && (known.revision ?? 0) >= entry.revision) {
-      journal.remove(entry.id);
+      journal.remove(entry.id, entry.revision);
       return false;
     }
     const kept = await replayed(entry, known);
     try {
-      await store.write(kept.document, kept.blobs);
+      await store.write(kept.document, kept.blobs, true);
     } catch {
       this.#replayed.set(entry.id, kept); // it stays in the journal; the next save says what is wrong
       return false;
     }
-    journal.remove(entry.id);
+    journal.remove(entry.id, entry.revision);
     this.#replayed.delete(entry.id);
     return true;
   }

@@ -39,8 +39,11 @@ export interface DocumentStore {
   documents(): Promise<readonly StoredDocument[]>;
   document(id: string): Promise<StoredDocument | undefined>;
   blob(hash: string): Promise<Uint8Array | undefined>;
-  /** Adds those of the blobs that are not kept yet, and the document. All or nothing. */
-  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void>;
+  /**
+   * Adds those of the blobs that are not kept yet, and the document. All or nothing.
+   * @param onlyNewer  nothing where the document is kept already with as high a revision
+   */
+  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>, onlyNewer?: boolean): Promise<void>;
   /** Removes documents, and blobs that none of the others names. */
   remove(ids: readonly string[]): Promise<void>;
 }
@@ -77,13 +80,17 @@ export class BrowserStore implements DocumentStore {
     return this.#ask((database) => database.get('blobs', hash), PATIENCE_FOR_BLOB);
   }
 
-  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
+  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>, onlyNewer = false): Promise<void> {
     const bytes = [...blobs.values()].reduce((sum, { byteLength }) => sum + byteLength, 0);
     return this.#ask(
       async (database) => {
         // Looked for and written in one transaction: in between, another tab could remove what was found.
         const transaction = database.transaction(['documents', 'blobs'], 'readwrite');
         const kept = transaction.objectStore('blobs');
+        if (onlyNewer) {
+          const known = await transaction.objectStore('documents').get(document.id);
+          if (known && (known.revision ?? 0) >= (document.revision ?? 0)) return;
+        }
         await wholly(transaction, [
           ...[...blobs].map(([hash, bytes]) => async () => {
             if ((await kept.getKey(hash)) === undefined) await kept.put(bytes, hash);
