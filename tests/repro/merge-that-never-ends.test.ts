@@ -8,6 +8,7 @@ import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
 import { bowl, dome, tube } from '../kernel/tubes';
+import { meter } from './bounded';
 
 let kernel: KernelPort;
 beforeAll(async () => {
@@ -34,11 +35,11 @@ async function merge(source: Model, target: Model, sizes: readonly [number, numb
   });
   const models: Record<string, Model> = { source, target };
   const runner = new Runner({ kernel, models: { load: async (name) => models[name]! } });
-  const started = performance.now();
+  const done = meter(expect.getState().currentTestName ?? '');
   try {
     return (await runner.run(recipe)).get('m')!;
   } finally {
-    console.log(`merging ${sizes.join(' on ')}: ${Math.round(performance.now() - started)} ms`);
+    done();
   }
 }
 
