@@ -13,13 +13,19 @@ const SEEN = `lissom-seen ${scope}`;
 const START = './';
 /** A server may say that answers vary by origin; files here do not. */
 const ANY = { ignoreVary: true, ignoreSearch: true };
+/** How long a page has to say which version it is, in milliseconds: a sleeping tab does not. */
+const PATIENCE = 1000;
 
 self.addEventListener('install', (event) => {
-  event.waitUntil(precache().then(() => self.skipWaiting()));
+  event.waitUntil(
+    precache()
+      .then(tidy)
+      .then(() => self.skipWaiting()),
+  );
 });
 
 self.addEventListener('activate', (event) => {
-  event.waitUntil(tidy().then(() => self.clients.claim()));
+  event.waitUntil(self.clients.claim());
 });
 
 self.addEventListener('fetch', (event) => {
@@ -30,10 +36,14 @@ self.addEventListener('fetch', (event) => {
   if (!href.startsWith(scope)) return;
   const file = (origin + pathname).slice(scope.length);
   if (file.startsWith('assets/')) event.respondWith(built(request));
-  else if (request.mode === 'navigate' && (file === '' || file === 'index.html'))
-    event.respondWith(startPage(request));
+  else if (request.mode === 'navigate' && isStart(request.url)) event.respondWith(startPage(request));
   else event.respondWith(newest(request, scope + file));
 });
+
+const isStart = (address) => {
+  const { pathname, origin } = new URL(address);
+  return [scope, `${scope}index.html`].includes(origin + pathname);
+};
 
 /** All of the build's files, or none: then the version before goes on. */
 async function precache() {
@@ -45,6 +55,7 @@ async function precache() {
         const held = isHashed ? await heldAnywhere(file) : undefined;
         const answer = held ?? (await fetch(file, { cache: isHashed ? 'default' : 'reload' }));
         if (!answer.ok) throw new Error(`${file} answers ${answer.status}`);
+        if (file === START) await checkStart(answer.clone());
         await cache.put(file, plain(answer));
       }),
     );
@@ -54,11 +65,45 @@ async function precache() {
   }
 }
 
-/** The version before this one stays: tabs that are still open with it load parts of it when they need them. */
+/** A server that changes meanwhile may give the next version's start page, whose scripts would not be there. */
+async function checkStart(answer) {
+  const named = (await answer.text()).match(/assets\/[\w.-]+/g) ?? [];
+  const foreign = named.find((file) => !BUILD.files.includes(file));
+  if (foreign) throw new Error(`the start page names ${foreign}, which is of another version`);
+}
+
+/**
+ * Of the versions before stay the last one and those that tabs are open with, which load parts of them when they are
+ * first needed: by then the server no longer has them.
+ */
 async function tidy() {
-  const others = (await ownCaches()).filter((name) => name !== CACHE);
-  const old = ['lissom-1', ...others.slice(0, -1)];
-  await Promise.all(old.map((name) => caches.delete(name)));
+  const older = (await ownCaches()).filter((name) => name !== CACHE).slice(0, -1);
+  const entries = older.length > 0 ? await openEntries() : [];
+  const isOpen = async (name) => {
+    const cache = await caches.open(name);
+    // A page that does not say may be of any version.
+    const held = entries.map((entry) => entry === undefined || cache.match(entry, ANY));
+    return (await Promise.all(held)).some(Boolean);
+  };
+  for (const name of older) if (!(await isOpen(name))) await caches.delete(name);
+  await caches.delete('lissom-1');
+}
+
+/** The entry scripts of the pages that are open; `undefined` for one that does not say in time. */
+async function openEntries() {
+  const all = await self.clients.matchAll({ type: 'window', includeUncontrolled: true });
+  const pages = all.filter(({ url }) => isStart(url));
+  return Promise.all(
+    pages.map(
+      (page) =>
+        new Promise((answer) => {
+          const { port1, port2 } = new MessageChannel();
+          port1.onmessage = ({ data }) => answer(data);
+          page.postMessage('entry', [port2]);
+          setTimeout(answer, PATIENCE);
+        }),
+    ),
+  );
 }
 
 async function built(request) {

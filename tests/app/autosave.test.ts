@@ -91,6 +91,20 @@ test('a new tab takes over what a closed one left, never what a living one has',
   expect(await third.app.autosave.restoreLast()).toBe(true);
 });
 
+test('the address has the link of the document that is open, and no other one’s', async () => {
+  const tab = new Tab();
+  await tab.openCube();
+  const { recipe } = tab.app.document;
+  await tab.app.desk.open({ recipe, title: 'sent', link: '#sent' });
+  await tab.addHandle([0, 1], 'Low');
+  expect(tab.link).toBe('#sent');
+  await tab.openCube();
+  expect(tab.link).toBeUndefined();
+  const points = await tab.app.autosave.restorePoints();
+  await tab.app.autosave.restore(points.find(({ title }) => title === 'sent')!.id);
+  expect(tab.link).toBe('#sent');
+});
+
 test('the oldest restore points go, with the files nobody names any more', async () => {
   const tab = new Tab();
   for (let i = 0; i < MOST_RESTORE_POINTS + 3; i++) {

@@ -142,6 +142,38 @@ test('a store that does not answer keeps no one from the last edit, and is not w
   expect((await again(next)).app.document.recipe).toEqual(tab.app.document.recipe);
 });
 
+test('files that a silent store does not give are back as soon as it answers', async () => {
+  const tab = await edited();
+  move(tab, 5);
+  const { store } = tab.browser;
+  store.silent = true;
+  const next = await again(tab);
+  expect(next.app.document.recipe).toEqual(tab.app.document.recipe);
+  expect(next.app.evaluator.result.value).toBeNull();
+  expect(next.toasts.some((text) => text.includes('Until it does, files are missing: cube.obj'))).toBe(true);
+  store.silent = false;
+  await next.app.autosave.flush();
+  await next.app.evaluator.settled();
+  expect(next.app.evaluator.result.value?.positions[0]).toBe(5);
+  const last = await again(next);
+  expect(last.app.evaluator.result.value?.positions[0]).toBe(5);
+});
+
+test('a file that was missing once is still known to be missing after the next save', async () => {
+  const tab = await edited();
+  const [document] = tab.browser.store.kept.values();
+  const [{ hash } = { hash: '' }] = document!.files;
+  const bytes = tab.browser.store.blobs.get(hash)!;
+  tab.browser.store.blobs.delete(hash);
+  const next = tab.reloaded();
+  await next.app.autosave.restoreLast();
+  next.app.document.undo();
+  await next.app.autosave.flush();
+  tab.browser.store.blobs.set(hash, bytes);
+  const last = await again(next);
+  expect(last.app.evaluator.result.value?.positions).toHaveLength(24);
+});
+
 test('where the journal has no room the store is written at once', async () => {
   const tab = await edited();
   tab.browser.storage.full = true;
@@ -153,10 +185,59 @@ test('where the journal has no room the store is written at once', async () => {
   expect((await again(tab)).app.document.recipe).toEqual(tab.app.document.recipe);
 });
 
+test('an edit is at risk only while neither journal nor store has it', async () => {
+  const tab = await edited();
+  const { storage, store } = tab.browser;
+  const { autosave } = tab.app;
+  move(tab, 5);
+  expect(autosave.isAtRisk).toBe(false);
+  storage.full = true;
+  move(tab, 6);
+  expect(autosave.isAtRisk).toBe(true);
+  await autosave.flush();
+  expect(autosave.isAtRisk).toBe(false);
+  store.broken = true;
+  move(tab, 7);
+  await autosave.flush();
+  expect(autosave.isAtRisk).toBe(true);
+  // With room again the last word of a page that is left is enough.
+  storage.full = false;
+  autosave.lastWord();
+  expect(autosave.isAtRisk).toBe(false);
+  expect((await again(tab)).app.document.recipe).toEqual(tab.app.document.recipe);
+});
+
 test('a file of one’s own is in the store at once: the journal cannot hold it', async () => {
   const tab = new Tab();
   await tab.openCube();
   await vi.waitFor(() => expect(tab.browser.store.kept.size).toBe(1), { timeout: 900, interval: 20 });
+});
+
+test('a tab that comes back has its work although another is just taking up what it left', async () => {
+  const tab = await edited();
+  move(tab, 5);
+  tab.close();
+  const { store } = tab.browser;
+  const write = store.write.bind(store);
+  let goOn = () => {};
+  store.write = async (...args) => {
+    store.write = write;
+    await new Promise<void>((done) => {
+      goOn = done;
+    });
+    return write(...args);
+  };
+  const other = new Tab(tab.browser);
+  const restoring = other.app.autosave.restoreLast();
+  await vi.waitFor(() => expect(store.write).toBe(write));
+  const next = await again(tab);
+  expect(next.app.document.recipe).toEqual(tab.app.document.recipe);
+  move(next, 6);
+  await next.app.autosave.flush();
+  // What the other one has begun is old by now, and the document taken.
+  goOn();
+  expect(await restoring).toBe(false);
+  expect((await again(next)).app.document.recipe).toEqual(next.app.document.recipe);
 });
 
 test('what a living tab has in the journal is its own', async () => {

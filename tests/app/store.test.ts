@@ -78,6 +78,44 @@ test('blobs that are kept are not written again; those that nobody names any mor
   expect(await store.blob('y')).toBeUndefined();
 });
 
+test('what is refused before it is written takes the rest with it', async () => {
+  const store = new BrowserStore();
+  await store.write(document('a', 'x'), blobs('x'));
+  const unhandled = vi.fn();
+  process.on('unhandledRejection', unhandled);
+  const { put } = IDBObjectStore.prototype;
+  for (const refused of ['blobs', 'documents']) {
+    const refusing = vi.spyOn(IDBObjectStore.prototype, 'put').mockImplementation(function (
+      this: IDBObjectStore,
+      ...args
+    ) {
+      if (this.name === refused) throw new DOMException('out of memory', 'DataCloneError');
+      return put.apply(this, args);
+    });
+    await expect(store.write(document('a', 'x', 'y'), blobs('x', 'y'))).rejects.toThrow('out of memory');
+    refusing.mockRestore();
+    expect((await store.document('a'))?.entries, refused).toHaveLength(1);
+    expect(await store.blob('y'), refused).toBeUndefined();
+  }
+  await new Promise((done) => setTimeout(done, 20));
+  process.off('unhandledRejection', unhandled);
+  expect(unhandled).not.toHaveBeenCalled();
+  await store.write(document('a', 'x', 'y'), blobs('x', 'y'));
+  expect((await store.document('a'))?.entries).toHaveLength(2);
+});
+
+test('what is only to be written where it is newer leaves the rest alone', async () => {
+  const store = new BrowserStore();
+  const at = (revision: number, ...hashes: string[]) => ({ ...document('a', ...hashes), revision });
+  await store.write(at(3, 'x'), blobs('x'), true);
+  await store.write(at(3, 'x', 'y'), blobs('x', 'y'), true);
+  await store.write(at(2, 'x', 'y'), blobs('x', 'y'), true);
+  expect((await store.document('a'))?.entries).toHaveLength(1);
+  expect(await store.blob('y')).toBeUndefined();
+  await store.write(at(4, 'x', 'y'), blobs('x', 'y'), true);
+  expect((await store.document('a'))?.revision).toBe(4);
+});
+
 test('a database that another tab closed by deleting it is opened again', async () => {
   const store = new BrowserStore();
   await store.write(document('a', 'x'), blobs('x'));

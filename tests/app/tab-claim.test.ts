@@ -79,6 +79,18 @@ test('a tab that slept while it was asked keeps what it had; whoever took it hea
   expect(await b.claim('work')).toBe(false);
 });
 
+test('who only looks is never in the way of who claims', async () => {
+  const air = new Air();
+  const [a, b] = [air.tab('a'), air.tab('b')];
+  const [seen, claimed] = await Promise.all([a.isFree('work'), b.claim('work')]);
+  expect([seen, claimed]).toEqual([true, true]);
+  expect(await a.isFree('work')).toBe(false);
+  expect(await b.isFree('work')).toBe(true);
+  b.release('work');
+  expect(await a.isFree('work')).toBe(true);
+  expect(await b.claim('work')).toBe(true);
+});
+
 test('an answer takes no longer than it has to', async () => {
   const air = new Air();
   const [a, b] = [air.tab('a'), air.tab('b')];

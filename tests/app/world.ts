@@ -153,8 +153,16 @@ export class MemoryStore implements DocumentStore {
     return [...this.kept.values()];
   };
   document = async (id: string) => this.kept.get(id);
-  blob = async (hash: string) => this.blobs.get(hash);
-  async write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
+  blob = async (hash: string) => {
+    if (this.silent) throw new Error('no answer');
+    return this.blobs.get(hash);
+  };
+  async write(
+    document: StoredDocument,
+    blobs: ReadonlyMap<string, Uint8Array>,
+    onlyNewer = false,
+  ): Promise<void> {
+    if (onlyNewer && (this.kept.get(document.id)?.revision ?? -1) >= (document.revision ?? 0)) return;
     if (this.broken || this.silent) throw new Error('the disk is full');
     const missing = [...blobs].filter(([hash]) => !this.blobs.has(hash));
     for (const [hash, bytes] of missing) this.blobs.set(hash, bytes);
@@ -199,6 +207,8 @@ export class Tab {
   readonly copied: string[] = [];
   readonly app: BuiltApp;
   reloads = 0;
+  /** The link that the address shows. */
+  link: string | undefined;
   /** Tells the app that another tab has a document, too. */
   lose: (id: string) => void = () => {};
 
@@ -218,6 +228,7 @@ export class Tab {
           if (owner === this) browser.claimed.set(id, this);
           return owner === this;
         },
+        isFree: async (id) => (browser.claimed.get(id) ?? this) === this,
         release: (id) => void browser.claimed.delete(id),
         onLost: (listener) => {
           this.lose = listener;
@@ -234,6 +245,9 @@ export class Tab {
       tab: session,
       galleryBase: 'https://lissom.test/gallery/',
       address: () => 'https://lissom.test/',
+      settleAddress: (link) => {
+        this.link = link;
+      },
       copy: async (text) => void this.copied.push(text),
       persist: () => {},
       newId: () => `document-${++browser.ids}`,

@@ -8,11 +8,65 @@ import { fileURLToPath } from 'node:url';
 import { build } from 'vite';
 import { afterAll, beforeAll, describe, expect, test } from 'vitest';
 import { cli } from '../../web/cli/cli';
+import type { Model } from '../../web/core/model';
 import { readModel, writeModel } from '../../web/io/formats';
+import { combedDown, egg, scalpOf } from '../kernel/hair-shapes';
+import { bowl, dome, tube } from '../kernel/tubes';
 import { gap, sheet } from './shapes';
 import { deformRecipe, move, region } from './shell';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
+
+type Place = (file: string) => string;
+
+const models = (at: Place, named: Readonly<Record<string, Model>>): void => {
+  for (const [file, model] of Object.entries(named)) writeFileSync(at(file), writeModel(model, 'ply'));
+};
+const recipe = (at: Place, content: object): void => writeFileSync(at('r.json'), JSON.stringify(content));
+
+function longMerge(at: Place): void {
+  const around = 500;
+  models(at, {
+    's.ply': { name: 's', ...tube(500, around, dome) },
+    't.ply': { name: 't', ...tube(500, around, bowl, false) },
+  });
+  const loop = Array.from({ length: around }, (_, v) => v);
+  const boundary = { source: loop, target: loop, keys: [[0, 0]] };
+  recipe(at, {
+    lissom: 1,
+    models: { s: { file: 's.ply' }, t: { file: 't.ply' } },
+    steps: [{ id: 'm', type: 'merge', source: 's', target: 't', boundaries: [boundary] }],
+    outputs: [{ step: 'm', file: 'o.ply' }],
+  });
+}
+
+function longGrowth(at: Place): void {
+  const shape = egg();
+  models(at, { 'h.ply': { name: 'h', ...shape } });
+  recipe(at, {
+    lissom: 1,
+    models: { h: { file: 'h.ply' } },
+    steps: [
+      {
+        id: 'hair',
+        type: 'hair',
+        model: 'h',
+        scalp: [...scalpOf(shape)],
+        grid: { resolution: 16 },
+        streams: combedDown().map((points) => ({ points })),
+        strands: { count: 500_000 },
+      },
+    ],
+    outputs: [{ step: 'hair', file: 'o.ply' }],
+  });
+}
+
+function longFactorization(at: Place): void {
+  const side = 500;
+  models(at, { 'm.ply': sheet(side, side) });
+  const last = (side + 1) ** 2 - 1;
+  recipe(at, deformRecipe([region({ ranges: [[0, side]] }), region([last], move(0, 0, 0.2))]));
+}
 
 describe('the command line as one file', () => {
   let folder = '';
@@ -69,6 +123,28 @@ describe('the command line as one file', () => {
     expect(await lissom(['run', 'r.json', '--out', 'q', '--timeout', '2'])).toEqual({
       code: 1,
       stderr: 'error: timed-out: The run took longer than 2 s and was ended; nothing was written.\n',
+    });
+    expect(readdirSync(folder)).not.toContain('q');
+  });
+
+  // Whatever the kernel is at: cutting and factoring two models, growing strands, factoring a region. Each takes the
+  // kernel ten times as long as the run is given.
+  test.each([
+    ['a merge', longMerge],
+    ['the growth of hair', longGrowth],
+    ['a factorization', longFactorization],
+  ])('ends %s with its timeout', async (what, write) => {
+    write(at);
+    const seconds = 4;
+    const started = performance.now();
+    const ended = await lissom(['run', 'r.json', '--out', 'q', '--timeout', `${seconds}`]);
+    const late = (performance.now() - started) / 1000 - seconds;
+    console.log(
+      `${what}: the process was gone ${late.toFixed(2)} s after its timeout, its own start included`,
+    );
+    expect(ended).toEqual({
+      code: 1,
+      stderr: `error: timed-out: The run took longer than ${seconds} s and was ended; nothing was written.\n`,
     });
     expect(readdirSync(folder)).not.toContain('q');
   });

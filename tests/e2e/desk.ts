@@ -38,7 +38,7 @@ export class Desk {
   }
 
   async ready(): Promise<void> {
-    await this.page.waitForFunction(() => '__lissom' in window);
+    await this.page.waitForFunction(() => window.__lissom !== undefined);
     await this.page.evaluate(() => window.__lissom.ready);
     await this.settled();
   }

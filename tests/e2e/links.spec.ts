@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { encodeLink } from '../../web/recipe/link/link';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Desk, diagonal, expect, gap, moved, SIZE, test, withoutPickers } from './desk';
+import { BAR, BAR_RECIPE } from './shapes';
 
 test.use({ viewport: SIZE });
 
@@ -68,4 +69,26 @@ test('a page opened with a link cut short starts as ever and says so', async ({ 
   await desk.drag(await desk.grip(0), { x: 60, y: 0 });
   expect(moved(await desk.shown()).length).toBeGreaterThan(1000);
   await desk.picture('link-damaged');
+});
+
+test('a reload brings back what is open, not the link that the page was once opened with', async ({
+  page,
+  baseURL,
+}) => {
+  const sent = { lissom: 1 as const, models: { key: { builtin: 'key' } }, steps: [], outputs: [] };
+  const desk = new Desk(await withoutPickers(page));
+  const title = () => page.title();
+  await desk.open(forTest(encodeLink(sent, baseURL!)));
+  expect(await title()).toContain('key');
+  await desk.choose(['bar.json', BAR_RECIPE], ['bar.obj', BAR]);
+  await page.reload();
+  await desk.ready();
+  expect(await title()).toContain('bar');
+  await page.evaluate(() => {
+    location.hash = '#r=AAAA';
+  });
+  await expect(page.locator('.toast').last()).toContainText(/link/i);
+  await page.reload();
+  await desk.ready();
+  expect(await title()).toContain('bar');
 });

@@ -31,6 +31,9 @@ const release = (page: Page) => page.evaluate(() => document.head.dataset.releas
 
 const caches = (page: Page) => page.evaluate(() => window.caches.keys());
 
+/** Opens every workspace's part of the program. */
+const loadAll = (page: Page) => page.evaluate(() => window.__lissom.app.wings.loadAll());
+
 /** Asks for a newer service worker, as the browser does by itself at every visit, and waits for what comes of it. */
 const update = (page: Page) =>
   page.evaluate(async () => {
@@ -97,19 +100,63 @@ test('a new version is seen at the next visit, and is the one that starts withou
   await visit(page, site.address);
   expect(await release(page)).toBe('second');
   expect(await update(page)).toBe('activated');
-  // The version before stays for tabs that are open with it, and other sites' caches are not ours.
+  // The version before stays, and other sites' caches are not ours.
   expect(await caches(page)).toEqual([...first, expect.stringMatching(/^lissom http/)]);
   const script = await old.evaluate(() => document.querySelector<HTMLScriptElement>('script[src]')!.src);
   expect(await old.evaluate(async (url) => (await fetch(url)).status, script)).toBe(200);
 
   site.release('third');
   expect(await update(page)).toBe('activated');
-  const third = await caches(page);
-  expect(third).toHaveLength(first.length + 1);
-  expect(third).toContain('of another site here');
   await site.stop();
   await new Desk(page).open(`${site.address}?test=1`);
   expect(await release(page)).toBe('third');
+  await loadAll(page);
+  expect(await caches(page)).toContain('of another site here');
+});
+
+test('a tab that stays open with an old version loads the rest of it, until it is closed', async ({
+  page,
+  context,
+  site,
+}) => {
+  await visit(page, site.address);
+  const old = await context.newPage();
+  await visit(old, site.address);
+  const [first] = await caches(page);
+  for (const name of ['second', 'third', 'fourth']) {
+    site.release(name);
+    await visit(page, site.address);
+    expect(await update(page)).toBe('activated');
+  }
+  expect(await caches(page)).toContain(first);
+  // The second had no tab any more when the fourth came, and was not the one before it.
+  expect(await caches(page)).toHaveLength(3);
+  await site.stop();
+  await loadAll(old);
+  await old.close();
+  await site.start();
+  site.release('fifth');
+  expect(await update(page)).toBe('activated');
+  expect(await caches(page)).not.toContain(first);
+  expect(await caches(page)).toHaveLength(2);
+});
+
+test('a version that is replaced while it is being fetched leaves the one before in place', async ({
+  page,
+  site,
+}) => {
+  await visit(page, site.address);
+  const before = await caches(page);
+  site.release('second');
+  const worker = site.read('sw.js');
+  site.release('third');
+  site.write('sw.js', worker);
+  for (const file of site.files) if (!site.has(file)) site.write(file, 'not gone yet');
+  expect(await update(page).catch(() => 'redundant')).toBe('redundant');
+  expect(await caches(page)).toEqual(before);
+  await site.stop();
+  await new Desk(page).open(`${site.address}?test=1`);
+  expect(await release(page)).toBeUndefined();
 });
 
 test('a version that cannot be fetched whole leaves the one before in place', async ({ page, site }) => {

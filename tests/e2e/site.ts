@@ -1,6 +1,16 @@
 // A copy of the built site on a server of its own, which can be stopped and whose files can change.
 
-import { cpSync, mkdtempSync, readdirSync, readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import {
+  cpSync,
+  existsSync,
+  mkdtempSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
 import { createServer, type IncomingMessage, type Server, type ServerResponse } from 'node:http';
 import type { AddressInfo } from 'node:net';
 import { tmpdir } from 'node:os';
@@ -16,6 +26,16 @@ const TYPES: Readonly<Record<string, string>> = {
   '.wasm': 'application/wasm',
   '.txt': 'text/plain; charset=utf-8',
 };
+
+/** A file's name with another hash in it. */
+const nameIn = (release: string, file: string): string =>
+  file.replace(
+    /-[\w-]{8}(?=\.\w+$)/,
+    `-${createHash('sha256')
+      .update(release + file)
+      .digest('hex')
+      .slice(0, 8)}`,
+  );
 
 export class Site {
   readonly folder = mkdtempSync(path.join(tmpdir(), 'lissom-site-'));
@@ -58,39 +78,44 @@ export class Site {
 
   /** What the service worker fetches ahead. */
   get files(): readonly string[] {
-    const [, list] = /\/\* build \*\/ (\{.*?\});/.exec(this.#read('sw.js'))!;
+    const [, list] = /\/\* build \*\/ (\{.*?\});/.exec(this.read('sw.js'))!;
     const { files } = JSON.parse(list!) as { files: string[] };
     return files.map((file) => (file === './' ? 'index.html' : file));
   }
 
-  /** Another version in place of this one, as a build leaves it: the start page and its script have changed. */
+  /**
+   * Another version in place of this one, as a build leaves it: the start page and its script have changed, and with
+   * them the names of all files that name one whose name has changed.
+   */
   release(name: string): void {
-    const page = this.#read('index.html');
-    const [, script] = /assets\/(index-[\w-]{8}\.js)/.exec(page)!;
-    const renamed = `index-${name.padEnd(8, '0').slice(0, 8)}.js`;
-    renameSync(path.join(this.folder, 'assets', script!), path.join(this.folder, 'assets', renamed));
-    for (const file of [
-      'index.html',
-      ...readdirSync(path.join(this.folder, 'assets')).map((f) => `assets/${f}`),
-    ])
-      if (/\.(html|js|css)$/.test(file)) this.write(file, this.#read(file).replaceAll(script!, renamed));
-    this.write(
-      'index.html',
-      this.#read('index.html').replace(/<head[^>]*>/, `<head data-release="${name}">`),
-    );
-    const files = this.files.map((file) => (file === `assets/${script}` ? `assets/${renamed}` : file));
-    writePrecacheList(this.folder, files);
+    const page = this.read('index.html');
+    const [, entry] = /assets\/(index-[\w-]{8}\.js)/.exec(page)!;
+    const texts = readdirSync(path.join(this.folder, 'assets')).filter((file) => /\.(js|css)$/.test(file));
+    const changed = new Set([entry!]);
+    for (const each of changed)
+      for (const file of texts) if (this.read(`assets/${file}`).includes(each)) changed.add(file);
+    const renamed = (text: string) =>
+      [...changed].reduce((text, file) => text.replaceAll(file, nameIn(name, file)), text);
+    for (const file of texts) this.write(`assets/${file}`, renamed(this.read(`assets/${file}`)));
+    for (const file of changed)
+      renameSync(path.join(this.folder, 'assets', file), path.join(this.folder, 'assets', renamed(file)));
+    this.write('index.html', renamed(page).replace(/<head[^>]*>/, `<head data-release="${name}">`));
+    writePrecacheList(this.folder, this.files.map(renamed));
   }
 
   write(file: string, content: string): void {
     writeFileSync(path.join(this.folder, file), content);
   }
 
+  has(file: string): boolean {
+    return existsSync(path.join(this.folder, file));
+  }
+
   remove(file: string): void {
     rmSync(path.join(this.folder, file));
   }
 
-  #read(file: string): string {
+  read(file: string): string {
     return readFileSync(path.join(this.folder, file), 'utf8');
   }
 

@@ -7,26 +7,7 @@ import { readModel, readProject } from '../../web/io';
 import { allowance, Budget, checkSize, type FileKind } from '../../web/io/budget';
 import { bytes } from '../io/support';
 import { refusal } from './bounded';
-
-const base64 = (content: Uint8Array): string =>
-  `data:application/octet-stream;base64,${Buffer.from(content).toString('base64')}`;
-
-/** glTF whose every node shows the same mesh. */
-function instances(nodes: number, vertices: number, primitives = 1): Uint8Array {
-  const buffer = new Uint8Array(12 * vertices);
-  const primitive = { attributes: { POSITION: 0 } };
-  return bytes(
-    JSON.stringify({
-      asset: { version: '2.0' },
-      scenes: [{ nodes: Array.from({ length: nodes }, (_, i) => i) }],
-      nodes: Array.from({ length: nodes }, () => ({ mesh: 0 })),
-      meshes: [{ primitives: Array.from({ length: primitives }, () => primitive) }],
-      accessors: [{ bufferView: 0, componentType: 5126, count: vertices, type: 'VEC3' }],
-      bufferViews: [{ buffer: 0, byteLength: buffer.length }],
-      buffers: [{ byteLength: buffer.length, uri: base64(buffer) }],
-    }),
-  );
-}
+import { base64, instances, longRecipe, manyEntries, overlapping } from './hostile';
 
 /** What was set aside, at most eight bytes a value, within what the file may unfold to. */
 const within = (made: number, kind: FileKind, size: number) =>
@@ -64,8 +45,7 @@ test('glTF whose accessors have no view', () => {
 });
 
 test('a zip archive with 999 entries over one block', () => {
-  const one = zipSync({ 'recipe.json': bytes('{}'), 'a.ply': new Uint8Array(1_000_000) });
-  const file = overlapping(one, 999);
+  const file = manyEntries();
   expect(file.length).toBeLessThan(100_000);
   const { code, message, made } = refusal(`999 entries, ${file.length} bytes`, () => readProject(file));
   expect(code).toBe('zip-too-large');
@@ -81,13 +61,7 @@ test('entries that share their bytes are refused however little they hold', () =
 });
 
 test('a recipe of 600 MB in an archive of less than 3', () => {
-  // Declared, not packed: what it says is asked before what it holds.
-  const file = zipSync({
-    'project/recipe.json': new Uint8Array(1_000_000),
-    'project/a.ply': noise(2_000_000),
-  });
-  const view = new DataView(file.buffer);
-  view.setUint32(view.getUint32(file.length - 6, true) + 24, 60_000_000, true);
+  const file = longRecipe();
   const { code, message, made } = refusal(`a large recipe, ${file.length} bytes`, () => readProject(file));
   expect(code).toBe('zip-too-large');
   expect(message).toContain('“project/recipe.json” in the archive has 60 MB; the limit is 32 MB.');
@@ -113,36 +87,3 @@ test.each<FileKind>(['mesh', 'gltf', 'strands', 'project', 'recipe', 'picture'])
     );
   },
 );
-
-/** The last entry of an archive's directory repeated, each time under another name of the same length. */
-function overlapping(zip: Uint8Array, times: number): Uint8Array {
-  const view = new DataView(zip.buffer);
-  const end = zip.length - 22;
-  const directory = view.getUint32(end + 16, true);
-  const first = 46 + view.getUint16(directory + 28, true);
-  const last = zip.slice(directory + first, end);
-  const copies = Array.from({ length: times - 1 }, (_, i) => {
-    const copy = last.slice();
-    copy.set(bytes(i.toString(36).padStart(5, 'b')), 46);
-    return copy;
-  });
-  const tail = zip.slice(end);
-  const out = Buffer.concat([zip.slice(0, directory + first), ...copies, tail]);
-  const size = out.length - 22 - directory;
-  for (const [at, value] of [
-    [8, times],
-    [10, times],
-  ] as const)
-    out.writeUInt16LE(value, out.length - 22 + at);
-  out.writeUInt32LE(size, out.length - 22 + 12);
-  return new Uint8Array(out);
-}
-
-/** Bytes that do not pack. */
-function noise(length: number): Uint8Array {
-  let state = 1;
-  return Uint8Array.from({ length }, () => {
-    state = (Math.imul(state, 1664525) + 1013904223) >>> 0;
-    return state >>> 24;
-  });
-}

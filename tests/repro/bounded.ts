@@ -1,11 +1,32 @@
-// What a call sets aside, counted rather than timed: a bound on time would hold on one machine and fail on another.
+// What a call costs. Memory is held to its bound; time is printed, for a bound on it would hold on one machine and fail on
+// another.
 
+import { expect } from 'vitest';
 import { LissomError } from '../../web/core/errors';
 
 export interface Spent<T> {
   readonly value: T;
   /** Elements of the typed arrays made by their length while the call ran. */
   readonly made: number;
+}
+
+/** What refusing anything may take beyond its input, in MB. */
+const MOST_MEGABYTES = 256;
+
+/**
+ * Notes what the process holds. @returns says and checks what it came to since: the highest that it stood at, or stood at
+ * ever before, over where it stood then. What is set aside and given back within counts.
+ */
+export function meter(what: string): (more?: string) => void {
+  const before = process.memoryUsage.rss();
+  const started = performance.now();
+  return (more = '') => {
+    const seconds = (performance.now() - started) / 1000;
+    const peak = 1024 * process.resourceUsage().maxRSS;
+    const megabytes = Math.max(0, peak - before) / 1e6;
+    console.log(`${what.padEnd(64)} ${seconds.toFixed(3)} s, at most ${megabytes.toFixed(0)} MB${more}`);
+    expect(megabytes, `MB for ${what}`).toBeLessThan(MOST_MEGABYTES);
+  };
 }
 
 const ARRAYS = ['Float64Array', 'Float32Array', 'Uint32Array', 'Uint16Array', 'Uint8Array'] as const;
@@ -22,13 +43,12 @@ export function spent<T>(what: string, call: () => T): Spent<T> {
         return Reflect.construct(target, args, newTarget === whole[name] ? target : newTarget);
       },
     });
-  const started = performance.now();
+  const done = meter(what);
   try {
     return { value: call(), made };
   } finally {
     for (const [name, array] of kept) whole[name] = array;
-    const milliseconds = Math.round(performance.now() - started);
-    console.log(`${what}: ${milliseconds} ms, ${made.toLocaleString('en-US')} values set aside`);
+    done(`, ${made.toLocaleString('en-US')} values set aside`);
   }
 }
 

@@ -4,6 +4,7 @@ import { expect, test } from 'vitest';
 import { readModel, readProject, readStrands, writeModel, writeProject } from '../../web/io';
 import { parseRecipe } from '../../web/recipe/parse';
 import { bytes, codeOf, facesOf, makeModel, read } from '../io/support';
+import { meter } from './bounded';
 
 const base64 = (content: Uint8Array): string =>
   `data:application/octet-stream;base64,${Buffer.from(content).toString('base64')}`;
@@ -34,10 +35,13 @@ function changed(change: (json: ReturnType<typeof triangle>) => void): Uint8Arra
 }
 
 const failure = (call: () => unknown): string => {
+  const done = meter(expect.getState().currentTestName ?? '');
   try {
     call();
   } catch (error) {
     return `${(error as { code?: string }).code}: ${(error as Error).message}`;
+  } finally {
+    done();
   }
   return 'accepted';
 };

@@ -1,52 +1,16 @@
 // A link of 1.36 kB froze the tab: rows of no numbers cost no bytes, so one table held as many of them as bytes followed,
 // and the table could be repeated.
 
-import { deflateSync } from 'fflate';
 import { expect, test } from 'vitest';
-import { toBase64Url } from '../../web/core/base64url';
-import { crc32 } from '../../web/core/crc32';
-import { ByteWriter } from '../../web/recipe/link/bytes';
 import { MAX_VALUES } from '../../web/recipe/link/errors';
 import { decodeLink, encodeLink } from '../../web/recipe/link/link';
 import { valuesIn } from '../../web/recipe/link/value';
 import { parseRecipe } from '../../web/recipe/parse';
 import { refusal } from './bounded';
-
-const LIST = 5;
-const NUMBERS = 7;
-const TABLE = 8;
-const EACH_ALONE = 31;
-
-/** A link whose head and checksum are right around any content. */
-function sealed(write: (out: ByteWriter) => void): string {
-  const plain = new ByteWriter();
-  write(plain);
-  const body = new ByteWriter();
-  body.varint(plain.done().length);
-  body.raw(deflateSync(plain.done(), { level: 9 }));
-  const packed = body.done();
-  const { length } = packed;
-  const out = new ByteWriter();
-  out.byte(1);
-  out.byte(crc32(Uint8Array.of(1, length & 255, (length >>> 8) & 255, length >>> 16)) & 255);
-  out.varint(length);
-  for (const shift of [0, 8, 16, 24]) out.byte((crc32(packed) >>> shift) & 255);
-  out.raw(packed);
-  return `#r=${toBase64Url(out.done())}`;
-}
+import { LIST, NUMBERS, sealed, TABLE, tablesOfNothing } from './hostile';
 
 test('rows of no numbers are refused', () => {
-  const link = sealed((out) => {
-    const tables = 100_000;
-    out.byte(LIST);
-    out.varint(tables);
-    for (let i = 0; i < tables; i++) {
-      out.byte(TABLE);
-      out.varint(400_000);
-      out.varint(0);
-      out.byte(EACH_ALONE);
-    }
-  });
+  const link = tablesOfNothing();
   expect(link.length).toBeLessThan(4000);
   const { code, message } = refusal('100,000 tables of width 0', () => decodeLink(link));
   expect(code).toBe('link-damaged');

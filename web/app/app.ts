@@ -52,6 +52,8 @@ export interface World {
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
   readonly galleryBase: string;
   readonly address: () => string;
+  /** Hears of the link that the open document came from, so that the address leads to no other one. */
+  readonly settleAddress: (link: string | undefined) => void;
   readonly copy: (text: string) => Promise<void>;
   readonly persist: () => void;
   readonly newId: () => string;

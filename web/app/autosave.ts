@@ -7,7 +7,7 @@ import type { AutosaveService, MessageService, RestorePoint } from './api';
 import type { Document } from './document';
 import { t } from './i18n';
 import { Journal, type JournalStorage } from './journal';
-import { KeptWork, type Opened } from './kept-work';
+import { type KeptFile, KeptWork, type Opened } from './kept-work';
 import type { ModelStore } from './model-store';
 import { hashedText } from './recipe-text';
 import { countsOf } from './replay';
@@ -36,6 +36,8 @@ export interface AutosaveParts {
   readonly messages: MessageService;
   /** Of this tab, lasting over reloads. */
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
+  /** The address leads to what is open: with another one a reload would bring something else. */
+  readonly settleAddress: (link: string | undefined) => void;
   /** Asks the browser not to evict what is kept. */
   readonly persist: () => void;
   readonly newId: () => string;
@@ -48,6 +50,8 @@ export class Autosave implements AutosaveService {
   #id = '';
   #own = false;
   #link: string | undefined;
+  /** Files of this document that the store did not give: it may later. */
+  #missing: readonly KeptFile[] = [];
   /** Edits of this document so far, and how many of them the store and the journal have. */
   #revision = 0;
   #written = 0;
@@ -83,13 +87,26 @@ export class Autosave implements AutosaveService {
     return this.#revision;
   }
 
+  /** Whether an edit is neither in the journal nor in the store: it would go with the page. */
+  get isAtRisk(): boolean {
+    if (this.#id === '' || !this.#isOwn) return false;
+    return Math.max(this.#journalled, this.#written) < this.#revision;
+  }
+
   /** A new document: what was kept of the last one stays. */
   begin({ own, link }: { readonly own: boolean; readonly link?: string | undefined }): void {
     this.#follow(this.parts.newId(), 0);
     void this.parts.claims.claim(this.#id);
     this.#own = own;
+    this.#missing = [];
     this.#link = link;
+    this.settleAddress();
     this.parts.state.saved.value = { kind: 'clean' };
+  }
+
+  /** Takes a link off the address that is not the open document's. */
+  settleAddress(): void {
+    this.parts.settleAddress(this.#link);
   }
 
   /** Marks the document as to be saved. */
@@ -109,8 +126,7 @@ export class Autosave implements AutosaveService {
 
   /** Puts the newest state into the journal if neither it nor the store has it. Done when it returns. */
   lastWord(): void {
-    if (this.#id === '' || !this.#isOwn) return;
-    if (Math.max(this.#journalled, this.#written) >= this.#revision) return;
+    if (!this.isAtRisk) return;
     const { document, state } = this.parts;
     const current = document.entries[document.index]!;
     const after = document.entries[document.index - 1];
@@ -123,7 +139,7 @@ export class Autosave implements AutosaveService {
       label: current.label,
       time: current.time,
       ...(after && { after: { label: after.label, time: after.time } }),
-      files: this.#filesOf(current.document).map(({ file, hash }) => ({ file, hash })),
+      files: this.#named(current.document),
       recipe: current.document,
     });
     if (isWritten) this.#journalled = this.#revision;
@@ -254,6 +270,8 @@ export class Autosave implements AutosaveService {
       this.#written = revision;
       this.#kept.written(id);
       if (this.#journalled <= revision) this.#journal.remove(id);
+      await this.#putBack(id);
+      if (id !== this.#id) return;
       state.saved.value = this.#isWritten ? { kind: 'saved', time } : { kind: 'unsaved' };
     } catch (error) {
       const detail = error instanceof Error ? error.message : String(error);
@@ -274,7 +292,8 @@ export class Autosave implements AutosaveService {
     const from = Math.max(0, document.entries.length - MOST_ENTRIES);
     const index = Math.max(0, document.index - from);
     const entries = document.entries.slice(from);
-    const files = this.#filesOf(...entries.map((entry) => entry.document));
+    const recipes = entries.map((entry) => entry.document);
+    const files = this.#filesOf(...recipes);
     const texts = await Promise.all(entries.map((entry) => hashedText(entry.document)));
     const time = now();
     const stored: StoredDocument = {
@@ -291,7 +310,7 @@ export class Autosave implements AutosaveService {
         recipe: texts[i]!.hash,
       })),
       index,
-      files: files.map(({ file, hash }) => ({ file, hash })),
+      files: this.#named(...recipes),
       ...countsOf(recipe),
     };
     await store.write(stored, new Map([...texts, ...files].map(({ hash, bytes }) => [hash, bytes])));
@@ -300,10 +319,25 @@ export class Autosave implements AutosaveService {
     return time;
   }
 
+  /** The store answers: it may have what it did not give when the document was opened. */
+  async #putBack(id: string): Promise<void> {
+    const before = this.#missing;
+    if (before.length === 0) return;
+    const missing = await this.#kept.putBack(before);
+    if (id !== this.#id) return;
+    this.#missing = missing;
+    if (missing.length < before.length) this.parts.document.showAgain();
+  }
+
   async #prune(current: string): Promise<void> {
     const all = [...(await this.parts.store.documents())].filter(({ id }) => id !== current);
     const old = all.sort((a, b) => b.time - a.time).slice(MOST_RESTORE_POINTS - 1);
     if (old.length > 0) await this.parts.store.remove(old.map(({ id }) => id));
+  }
+
+  /** The files that recipes name, and those that are missing. */
+  #named(...recipes: readonly Recipe[]): KeptFile[] {
+    return [...this.#filesOf(...recipes).map(({ file, hash }) => ({ file, hash })), ...this.#missing];
   }
 
   /** The opened files that recipes name. */
@@ -315,7 +349,7 @@ export class Autosave implements AutosaveService {
   readonly #isNew = ({ hash }: { readonly hash: string }): boolean => !this.#files.has(hash);
 
   /** Goes on with a stored document under its own name, or under a new one while another tab has it. */
-  async #lay(stored: StoredDocument, { entries, index, missing, lost }: Opened): Promise<void> {
+  async #lay(stored: StoredDocument, { entries, index, missing, isSilent, lost }: Opened): Promise<void> {
     const { claims, document, messages, newId, state } = this.parts;
     const { title, revision = 0 } = stored;
     const mine = await claims.claim(stored.id);
@@ -325,7 +359,9 @@ export class Autosave implements AutosaveService {
     document.restore(entries, index);
     this.#follow(mine ? stored.id : newId(), revision);
     this.#own = true;
+    this.#missing = missing;
     this.#link = stored.link;
+    this.settleAddress();
     if (!mine) {
       void claims.claim(this.#id);
       this.touch();
@@ -334,8 +370,10 @@ export class Autosave implements AutosaveService {
       state.saved.value = { kind: 'unsaved' };
       this.#schedule(0);
     } else state.saved.value = { kind: 'saved', time: stored.time };
-    if (missing.length > 0)
-      messages.toast('warn', t('toast.files-gone', { title, files: missing.join(', ') }));
+    if (missing.length > 0) {
+      const files = missing.map(({ file }) => file).join(', ');
+      messages.toast('warn', t(isSilent ? 'toast.files-later' : 'toast.files-gone', { title, files }));
+    }
     if (lost > 0) messages.toast('warn', t('toast.states-gone', { title, count: lost }));
   }
 }

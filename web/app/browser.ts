@@ -8,7 +8,7 @@ import { t } from './i18n';
 import { openLink } from './start';
 import { BrowserStore } from './store';
 import { tabClaims } from './tab-claim';
-import { watchForUpdate } from './update-check';
+import { scriptOf, watchForUpdate } from './update-check';
 
 export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>): World {
   const page = () => location.href.replace(/[?#].*$/s, '');
@@ -21,6 +21,10 @@ export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>)
     tab: storageOf(() => sessionStorage) ?? { getItem: () => null, setItem: () => {} },
     galleryBase: new URL('gallery/', page()).href,
     address: page,
+    settleAddress: (link = '') => {
+      if (hasLink(location.hash) && location.hash !== link)
+        history.replaceState(history.state, '', page() + location.search + link);
+    },
     copy: (text) => navigator.clipboard.writeText(text),
     persist: () => void navigator.storage?.persist?.(),
     newId,
@@ -57,13 +61,17 @@ export function listen(app: BuiltApp): void {
     void app.files.openFiles(files);
   });
   window.addEventListener('hashchange', () => {
-    if (hasLink(location.hash)) void openLink(app, location.hash);
+    if (hasLink(location.hash)) void openLink(app, location.hash).then(() => app.autosave.settleAddress());
   });
   const leave = () => {
     app.autosave.lastWord();
     void app.autosave.flush();
   };
   window.addEventListener('pagehide', leave);
+  window.addEventListener('beforeunload', (event) => {
+    app.autosave.lastWord();
+    if (app.autosave.isAtRisk) event.preventDefault();
+  });
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') leave();
   });
@@ -89,7 +97,12 @@ export function followFrameRate({ state, viewport }: BuiltApp): void {
 
 /** Offline use, and word of a newer version. For the built page only. */
 export function keepOffline(app: BuiltApp): void {
-  navigator.serviceWorker?.register('sw.js').catch(() => {
+  const offline = navigator.serviceWorker;
+  // A newer service worker asks which version each page is, before it clears older ones away.
+  offline?.addEventListener('message', ({ ports }) =>
+    ports[0]?.postMessage(scriptOf(document.documentElement.outerHTML)),
+  );
+  offline?.register('sw.js').catch(() => {
     // A browser that forbids it still has the page, only not offline.
   });
   watchForUpdate(document, () => {

@@ -48,7 +48,7 @@ export function checkedStore(store: DocumentStore, onDamaged: () => void): Docum
       return found && sound([found])[0];
     },
     blob: (hash) => store.blob(hash),
-    write: (document, blobs) => store.write(document, blobs),
+    write: (document, blobs, onlyNewer) => store.write(document, blobs, onlyNewer),
     remove: (ids) => store.remove(ids),
   };
 }

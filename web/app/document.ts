@@ -71,6 +71,11 @@ export class Document implements DocumentService {
     this.#lay(history);
   }
 
+  /** What is shown is computed anew where that failed: files that it names may be there by now. */
+  showAgain(): void {
+    this.state.shown.value = { ...this.state.shown.peek() };
+  }
+
   preview(recipe: Recipe, selection: Selection): void {
     this.#history.preview(recipe, selection);
   }

@@ -61,7 +61,9 @@ export class Journal {
     return undefined;
   }
 
-  remove(id: string): void {
+  /** @param revision  the entry is left in place where it is newer than this by now */
+  remove(id: string, revision = Number.POSITIVE_INFINITY): void {
+    if (Number.isFinite(revision) && (this.read(id)?.revision ?? 0) > revision) return;
     this.storage?.removeItem(PREFIX + id);
   }
 

@@ -7,7 +7,7 @@ import type { MessageService } from './api';
 import type { Entry } from './document';
 import { t } from './i18n';
 import type { Journal, JournalEntry } from './journal';
-import type { ModelStore } from './model-store';
+import type { ModelStore, OpenedFile } from './model-store';
 import { type KeptDocument, replayed } from './replay';
 import { type DocumentStore, type StoredDocument, selectionOf } from './store';
 import type { Claims } from './tab-claim';
@@ -23,12 +23,17 @@ export interface KeptWorkParts {
   readonly onCopied: (id: string, copy: string) => void;
 }
 
+/** A file that a document names, as the store knows it. */
+export type KeptFile = Pick<OpenedFile, 'file' | 'hash'>;
+
 /** What could be read of a stored document. */
 export interface Opened {
   readonly entries: readonly Entry[];
   readonly index: number;
-  /** Files that the browser no longer has. */
-  readonly missing: readonly string[];
+  /** Files that the browser no longer has, or does not give now. */
+  readonly missing: readonly KeptFile[];
+  /** Whether that is because its store does not answer. */
+  readonly isSilent: boolean;
   /** How many states of the history it no longer has. */
   readonly lost: number;
 }
@@ -36,6 +41,8 @@ export interface Opened {
 export class KeptWork {
   /** Replayed from the journal, but not yet taken by the store. */
   readonly #replayed = new Map<string, KeptDocument>();
+  /** The store did not answer when it was asked last. */
+  #isSilent = false;
 
   constructor(private readonly parts: KeptWorkParts) {}
 
@@ -43,15 +50,15 @@ export class KeptWork {
   async documents(open: string): Promise<readonly StoredDocument[]> {
     const { store, messages } = this.parts;
     let stored: readonly StoredDocument[] = [];
-    let isSilent = false;
     try {
       stored = await store.documents();
+      this.#isSilent = false;
       if (await this.#replay(open)) stored = await store.documents();
     } catch (error) {
       messages.failed(error);
-      isSilent = true;
+      this.#isSilent = true;
     }
-    if (isSilent) await this.#eachLeft(open, (entry) => this.#takeUpUnseen(entry));
+    if (this.#isSilent) await this.#eachLeft(open, (entry) => this.#takeUpUnseen(entry));
     const all = new Map(stored.map((each) => [each.id, each]));
     for (const [id, { document }] of this.#replayed) all.set(id, document);
     return [...all.values()].sort((a, b) => b.time - a.time);
@@ -66,18 +73,20 @@ export class KeptWork {
     return isNewer;
   }
 
-  /** What tabs that are gone have left in the journal. */
+  /**
+   * What tabs that are gone have left in the journal. Nothing is claimed: one of them may just be coming back, and its
+   * document must be free for it. What it does meanwhile is newer, and never written over.
+   */
   async #eachLeft(open: string, takeUp: (entry: JournalEntry) => Promise<unknown>): Promise<void> {
     const { claims, journal, messages } = this.parts;
     for (const id of journal.ids()) {
-      if (id === open || !(await claims.claim(id))) continue;
+      if (id === open || !(await claims.isFree(id))) continue;
       try {
         const entry = journal.read(id);
         if (entry) await takeUp(entry);
       } catch (error) {
         messages.failed(error);
       }
-      claims.release(id);
     }
   }
 
@@ -85,17 +94,17 @@ export class KeptWork {
     const { journal, store } = this.parts;
     const known = await store.document(entry.id);
     if (known && (known.revision ?? 0) >= entry.revision) {
-      journal.remove(entry.id);
+      journal.remove(entry.id, entry.revision);
       return false;
     }
     const kept = await replayed(entry, known);
     try {
-      await store.write(kept.document, kept.blobs);
+      await store.write(kept.document, kept.blobs, true);
     } catch {
       this.#replayed.set(entry.id, kept); // it stays in the journal; the next save says what is wrong
       return false;
     }
-    journal.remove(entry.id);
+    journal.remove(entry.id, entry.revision);
     this.#replayed.delete(entry.id);
     return true;
   }
@@ -120,17 +129,25 @@ export class KeptWork {
   /** The store has all of it now. */
   written(id: string): void {
     this.#replayed.delete(id);
+    this.#isSilent = false;
+  }
+
+  /** Puts back those of the files that the store has by now. @returns the others */
+  async putBack(files: readonly KeptFile[]): Promise<readonly KeptFile[]> {
+    const missing: KeptFile[] = [];
+    for (const { file, hash } of files) {
+      // A file that cannot be read now is no reason to go without the work.
+      const bytes = await this.#blob(hash).catch(() => undefined);
+      if (bytes) this.parts.models.put({ file, hash, bytes });
+      else missing.push({ file, hash });
+    }
+    return missing;
   }
 
   /** Puts the files back and reads the history. @throws LissomError  where nothing is left of it */
   async read({ id, title, entries: stored, index, files }: StoredDocument): Promise<Opened> {
-    const { store, models } = this.parts;
-    const missing: string[] = [];
-    for (const { file, hash } of files) {
-      const bytes = await this.#blob(hash);
-      if (bytes) models.put({ file, hash, bytes });
-      else missing.push(file);
-    }
+    const { store } = this.parts;
+    const missing = await this.putBack(files);
     const recipes = new Map<string, Recipe | undefined>();
     const entries: Entry[] = [];
     let shown = 0;
@@ -148,11 +165,11 @@ export class KeptWork {
       await store.remove([id]);
       throw new LissomError('work-gone', t('error.work-gone', { title }));
     }
-    return { entries, index: shown, missing, lost: stored.length - entries.length };
+    return { entries, index: shown, missing, isSilent: this.#isSilent, lost: stored.length - entries.length };
   }
 
   async #blob(hash: string): Promise<Uint8Array | undefined> {
     for (const { blobs } of this.#replayed.values()) if (blobs.has(hash)) return blobs.get(hash);
-    return this.parts.store.blob(hash);
+    return this.#isSilent ? undefined : this.parts.store.blob(hash);
   }
 }

@@ -1,4 +1,5 @@
-// What the page shows first: a link's recipe, else the work of last time, else the first picture.
+// What the page shows first: a link's recipe, else (there is none, or it is damaged) the work of last time, else the
+// first picture.
 
 import { hasLink } from '../recipe/link/link';
 import type { BuiltApp } from './app';
@@ -11,7 +12,7 @@ const FIRST = { file: 'recipes/first.json', title: 'dinosaur' };
 export async function start(app: BuiltApp, address: string): Promise<void> {
   const link = hasLink(address) ? fragmentOf(address) : undefined;
   if (link !== undefined && ((await restored(app, link)) || (await openLink(app, link)))) return;
-  if (link === undefined && (await restored(app))) {
+  if (await restored(app)) {
     app.messages.toast('info', t('toast.restored'));
     return;
   }

@@ -39,8 +39,11 @@ export interface DocumentStore {
   documents(): Promise<readonly StoredDocument[]>;
   document(id: string): Promise<StoredDocument | undefined>;
   blob(hash: string): Promise<Uint8Array | undefined>;
-  /** Adds those of the blobs that are not kept yet, and the document. All or nothing. */
-  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void>;
+  /**
+   * Adds those of the blobs that are not kept yet, and the document. All or nothing.
+   * @param onlyNewer  nothing where the document is kept already with as high a revision
+   */
+  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>, onlyNewer?: boolean): Promise<void>;
   /** Removes documents, and blobs that none of the others names. */
   remove(ids: readonly string[]): Promise<void>;
 }
@@ -77,17 +80,23 @@ export class BrowserStore implements DocumentStore {
     return this.#ask((database) => database.get('blobs', hash), PATIENCE_FOR_BLOB);
   }
 
-  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>): Promise<void> {
+  write(document: StoredDocument, blobs: ReadonlyMap<string, Uint8Array>, onlyNewer = false): Promise<void> {
     const bytes = [...blobs.values()].reduce((sum, { byteLength }) => sum + byteLength, 0);
     return this.#ask(
       async (database) => {
         // Looked for and written in one transaction: in between, another tab could remove what was found.
         const transaction = database.transaction(['documents', 'blobs'], 'readwrite');
         const kept = transaction.objectStore('blobs');
-        const puts = [...blobs].map(async ([hash, bytes]) => {
-          if ((await kept.getKey(hash)) === undefined) await kept.put(bytes, hash);
-        });
-        await Promise.all([...puts, transaction.objectStore('documents').put(document), transaction.done]);
+        if (onlyNewer) {
+          const known = await transaction.objectStore('documents').get(document.id);
+          if (known && (known.revision ?? 0) >= (document.revision ?? 0)) return;
+        }
+        await wholly(transaction, [
+          ...[...blobs].map(([hash, bytes]) => async () => {
+            if ((await kept.getKey(hash)) === undefined) await kept.put(bytes, hash);
+          }),
+          () => transaction.objectStore('documents').put(document),
+        ]);
       },
       PATIENCE + bytes / SLOWEST_BYTES_PER_MILLISECOND,
     );
@@ -101,8 +110,10 @@ export class BrowserStore implements DocumentStore {
       const all = await documents.getAll();
       const kept = new Set(all.filter(({ id }) => !ids.includes(id)).flatMap(hashesOf));
       const gone = (await blobs.getAllKeys()).filter((hash) => !kept.has(hash));
-      const deleted = [...ids.map((id) => documents.delete(id)), ...gone.map((hash) => blobs.delete(hash))];
-      await Promise.all([...deleted, transaction.done]);
+      await wholly(transaction, [
+        ...ids.map((id) => () => documents.delete(id)),
+        ...gone.map((hash) => () => blobs.delete(hash)),
+      ]);
     });
   }
 
@@ -110,7 +121,7 @@ export class BrowserStore implements DocumentStore {
   async #ask<T>(work: (database: Database) => Promise<T>, patience = PATIENCE): Promise<T> {
     const answered = async () => {
       const opened = this.#open();
-      const database = await opened;
+      const database = await within(PATIENCE, opened);
       try {
         return await work(database);
       } catch (error) {
@@ -144,6 +155,34 @@ export class BrowserStore implements DocumentStore {
   /** The next question opens it again. */
   #forget(opened: Promise<Database>): void {
     if (this.#database === opened) this.#database = undefined;
+  }
+}
+
+/**
+ * All of a transaction or nothing. A request that fails ends it by itself; one that is refused before it is made does
+ * not, and what the others have written would be kept without its part.
+ */
+async function wholly(
+  transaction: { readonly done: Promise<void>; abort(): void },
+  parts: readonly (() => Promise<unknown>)[],
+): Promise<void> {
+  const made = parts.map(async (make) => make());
+  try {
+    await Promise.all(made);
+  } catch (error) {
+    // Nobody waits for the rest any more.
+    for (const each of [...made, transaction.done]) each.catch(() => {});
+    abort(transaction);
+    throw error;
+  }
+  await transaction.done;
+}
+
+function abort(transaction: { abort(): void }): void {
+  try {
+    transaction.abort();
+  } catch {
+    // It had ended already.
   }
 }
 

@@ -3,6 +3,8 @@
 export interface Claims {
   /** @returns false while another tab has it */
   claim(id: string): Promise<boolean>;
+  /** Whether no other tab has it; takes nothing, so that it is never in the way of the tab whose it is. */
+  isFree(id: string): Promise<boolean>;
   release(id: string): void;
   /** @param listener  hears of a document that another tab turns out to have had before: it is not this tab's */
   onLost(listener: (id: string) => void): void;
@@ -45,6 +47,12 @@ export class LockClaims implements Claims {
     });
   }
 
+  async isFree(id: string): Promise<boolean> {
+    if (this.#held.has(id)) return true;
+    const { held = [] } = await this.locks.query().catch(() => ({ held: [] as LockInfo[] }));
+    return !held.some(({ name }) => name === `${NAME}:${id}`);
+  }
+
   release(id: string): void {
     const release = this.#held.get(id);
     if (!release) return;
@@ -59,6 +67,7 @@ export class LockClaims implements Claims {
 
 type Message =
   | { readonly ask: string; readonly from: string }
+  | { readonly look: string; readonly from: string }
   | { readonly mine: string; readonly to: string };
 
 /** How long the other tabs have to say that a document is theirs, in milliseconds. */
@@ -71,6 +80,8 @@ export const ANSWER_TIME = 250;
 export class ChannelClaims implements Claims {
   readonly #held = new Set<string>();
   readonly #asking = new Map<string, (answer: boolean) => void>();
+  /** Those who only want to know. */
+  readonly #looking = new Map<string, (answer: boolean) => void>();
   #lost: (id: string) => void = () => {};
 
   /** @param tab  a name that no other tab has */
@@ -83,14 +94,13 @@ export class ChannelClaims implements Claims {
 
   async claim(id: string): Promise<boolean> {
     if (this.#held.has(id)) return true;
-    const isFree = await new Promise<boolean>((answer) => {
-      this.#asking.set(id, answer);
-      this.#say({ ask: id, from: this.tab });
-      setTimeout(() => answer(true), ANSWER_TIME);
-    });
-    this.#asking.delete(id);
+    const isFree = await this.#answer(id, this.#asking, { ask: id, from: this.tab });
     if (isFree) this.#held.add(id);
     return isFree;
+  }
+
+  async isFree(id: string): Promise<boolean> {
+    return this.#held.has(id) || this.#answer(id, this.#looking, { look: id, from: this.tab });
   }
 
   release(id: string): void {
@@ -101,6 +111,21 @@ export class ChannelClaims implements Claims {
     this.#lost = listener;
   }
 
+  /** @returns false as soon as another tab says that it has the document */
+  async #answer(
+    id: string,
+    waiting: Map<string, (answer: boolean) => void>,
+    question: Message,
+  ): Promise<boolean> {
+    const isFree = await new Promise<boolean>((answer) => {
+      waiting.set(id, answer);
+      this.#say(question);
+      setTimeout(() => answer(true), ANSWER_TIME);
+    });
+    waiting.delete(id);
+    return isFree;
+  }
+
   #hear(message: Message): void {
     if ('ask' in message) {
       const { ask: id, from } = message;
@@ -108,9 +133,12 @@ export class ChannelClaims implements Claims {
       // Of two tabs that ask at the same time, the one whose name comes first has it.
       if (this.#held.has(id) || (asking && this.tab < from)) this.#say({ mine: id, to: from });
       else asking?.(false);
+    } else if ('look' in message) {
+      if (this.#held.has(message.look)) this.#say({ mine: message.look, to: message.from });
     } else if (message.to === this.tab) {
       const id = message.mine;
       this.#asking.get(id)?.(false);
+      this.#looking.get(id)?.(false);
       if (this.#held.delete(id)) this.#lost(id);
     }
   }

@@ -16,7 +16,8 @@ import { readStl, writeStl } from './stl';
  *
  * @param fileName  with or without folder; the model's name is the part after it
  * @throws LissomError `file-empty`, `file-truncated`, `file-damaged`, `file-incomplete`, `file-not-a-mesh`,
- *                     `count-too-large`, `format-unknown`, `format-unsupported`
+ *                     `count-too-large`, `face-too-large`, `format-unknown`,
+ *                     `format-unsupported`
  */
 export function readModel(bytes: Uint8Array, fileName: string): ReadResult {
   const name = fileName.replace(/^.*[/\\]/, '');
@@ -26,6 +27,7 @@ export function readModel(bytes: Uint8Array, fileName: string): ReadResult {
     const message = `${name} holds no vertex, so it holds no model. Open another file.`;
     throw new LissomError('file-not-a-mesh', message);
   }
+  checkCorners(model, name);
   const promised = formatOfName(name);
   if (promised === undefined || promised === format) return { model, notes };
   const message = `${name} is called ${FORMAT_NAMES[promised]}, but it is ${FORMAT_NAMES[format]} and was read as such.`;
@@ -33,6 +35,19 @@ export function readModel(bytes: Uint8Array, fileName: string): ReadResult {
     model,
     notes: [{ code: 'extension-differs', count: 1, examples: [], repaired: true, message }, ...notes],
   };
+}
+
+/** Every face is cut into triangles before it is drawn or solved for, which takes a second for so many. */
+const MOST_CORNERS = 100_000;
+
+function checkCorners({ faceOffsets }: Model, name: string): void {
+  for (let f = 1; f < faceOffsets.length; f++) {
+    const corners = faceOffsets[f]! - faceOffsets[f - 1]!;
+    if (corners <= MOST_CORNERS) continue;
+    const [count, most] = [corners, MOST_CORNERS].map((n) => n.toLocaleString('en-US'));
+    const message = `${name}: face ${f} has ${count} corners; the limit is ${most}. Cut it into smaller faces.`;
+    throw new LissomError('face-too-large', message);
+  }
 }
 
 function readAs(format: FileFormat, bytes: Uint8Array, name: string): ReadResult {

@@ -1,12 +1,11 @@
 import type { Model } from '../core/model';
+import { clipEars } from './ear-clipping';
 import { faceNormal, isUsable } from './normals';
-
-type Vec2 = readonly [number, number];
 
 /**
  * Faces as triangles, for formats that hold nothing else: 3 vertex indices each, in face order, and the face of
  * each. Quads are cut along the diagonal that keeps both halves facing one way (the shorter if both do), larger
- * polygons by ear clipping in their mean plane. Faces with a missing or non-finite corner give none.
+ * polygons by ear clipping in their mean plane, shortest cuts first. Faces with a missing or non-finite corner give none.
  */
 export function triangulate(model: Model): { triangles: Uint32Array; faces: Uint32Array } {
   const { faceOffsets, faceVertices } = model;
@@ -29,7 +28,7 @@ export function triangulate(model: Model): { triangles: Uint32Array; faces: Uint
       const at = (k: number) => start + ((q - start + k) % 4);
       put(f, at(0), at(1), at(2));
       put(f, at(0), at(2), at(3));
-    } else if (size > 4) for (const [a, b, c] of clipEars(model, start, start + size)) put(f, a, b, c);
+    } else if (size > 4) for (const [a, b, c] of cutPolygon(model, start, start + size)) put(f, a, b, c);
   }
   return { triangles: corners.slice(0, 3 * count), faces: faces.slice(0, count) };
 }
@@ -52,54 +51,18 @@ function betterDiagonal({ positions: p, faceVertices: v }: Model, s: number): 0 
 }
 
 /** Triangles of the polygon of corners [start, end), as corner numbers: always end − start − 2. */
-function clipEars(
-  { positions, faceVertices }: Model,
+function cutPolygon(
+  { positions: p, faceVertices: v }: Model,
   start: number,
   end: number,
 ): [number, number, number][] {
-  const n = faceNormal(positions, faceVertices, start, end);
-  const at = flatten(positions, faceVertices, start, n);
-  const ring = Array.from({ length: end - start }, (_, k) => start + k);
-  const out: [number, number, number][] = [];
-  while (ring.length > 3) {
-    const k = Math.max(
-      0,
-      ring.findIndex((_, i) => isEar(ring, i, at)),
-    );
-    const [before, after] = [(k + ring.length - 1) % ring.length, (k + 1) % ring.length];
-    out.push([ring[before]!, ring[k]!, ring[after]!]);
-    ring.splice(k, 1);
-  }
-  out.push([ring[0]!, ring[1]!, ring[2]!]);
-  return out;
-}
-
-/** Drops the coordinate along which the normal is longest; the polygon then turns counter-clockwise. */
-function flatten(
-  p: Float64Array,
-  v: Uint32Array,
-  start: number,
-  n: readonly number[],
-): (corner: number) => Vec2 {
+  const n = faceNormal(p, v, start, end);
+  // Without the coordinate along which the normal is longest; the polygon then turns counter-clockwise.
   const drop = n.reduce((best, value, k) => (Math.abs(value) > Math.abs(n[best]!) ? k : best), 0);
   const [i, j] = n[drop]! < 0 ? [(drop + 2) % 3, (drop + 1) % 3] : [(drop + 1) % 3, (drop + 2) % 3];
   const o = 3 * v[start]!;
-  return (corner) => {
-    const c = 3 * v[corner]!;
-    return [p[c + i]! - p[o + i]!, p[c + j]! - p[o + j]!];
-  };
+  const corners = v.subarray(start, end);
+  const x = Float64Array.from(corners, (corner) => p[3 * corner + i]! - p[o + i]!);
+  const y = Float64Array.from(corners, (corner) => p[3 * corner + j]! - p[o + j]!);
+  return clipEars(x, y).map(([a, b, c]) => [start + a, start + b, start + c]);
 }
-
-function isEar(ring: readonly number[], k: number, at: (corner: number) => Vec2): boolean {
-  const [before, after] = [(k + ring.length - 1) % ring.length, (k + 1) % ring.length];
-  const [a, b, c] = [at(ring[before]!), at(ring[k]!), at(ring[after]!)];
-  if (!(turn(a, b, c) > 0)) return false;
-  return ring.every((corner, i) => {
-    if (i === before || i === k || i === after) return true;
-    const q = at(corner);
-    return turn(a, b, q) < 0 || turn(b, c, q) < 0 || turn(c, a, q) < 0;
-  });
-}
-
-const turn = (a: Vec2, b: Vec2, c: Vec2): number =>
-  (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);

@@ -81,17 +81,13 @@ TEST_CASE("flat sides are cured by displacing a quarter of their vertices") {
 }
 
 TEST_CASE("a figure bent by a right angle keeps its edge lengths") {
-    // From the build directory, the sources or the repository's root.
-    const char* given = std::getenv("LISSOM_SHARED");
     const struct {
         const char* name;
         double hips, neck; // shares of its height
     } figures[] = {{"human/body_female.ply", 0.4, 0.87}, {"creatures/critter.ply", 0.2, 0.93}};
     for (const auto& figure : figures) {
         const std::string name = figure.name;
-        TriangleMesh mesh;
-        for (const std::string& root : {std::string(given ? given : "../shared"), std::string("../../../shared"), std::string("../../shared")})
-            if (mesh.vertex_count() == 0) mesh = shared_model(root + "/data/" + name);
+        const TriangleMesh mesh = shared_model(name);
         if (mesh.vertex_count() == 0) {
             MESSAGE("skipped: there is no shared/data/" << name << " here");
             continue;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <cstdlib>
 #include <fstream>
 #include <numbers>
 #include <numeric>
@@ -116,9 +117,14 @@ double volume_ratio(const TriangleMesh& rest, const Points& moved) {
     return lissom::signed_volume({moved, rest.triangles}) / lissom::signed_volume(rest);
 }
 
-TriangleMesh shared_model(const std::string& path) {
-    std::ifstream file(path, std::ios::binary);
+TriangleMesh shared_model(const std::string& name) {
+    // From the repository's root, the build directory or the sources.
+    const char* given = std::getenv("LISSOM_SHARED");
+    std::ifstream file;
+    for (const std::string& root : {std::string(given ? given : "../shared"), std::string("../../../shared"), std::string("../../shared")})
+        if (!file.is_open()) file.open(root + "/data/" + name, std::ios::binary);
     TriangleMesh mesh;
+    if (!file.is_open()) return mesh;
     std::string line;
     int vertices = 0, faces = 0;
     while (std::getline(file, line) && line != "end_header") {

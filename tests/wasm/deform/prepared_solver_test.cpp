@@ -70,3 +70,47 @@ TEST_CASE("without unknowns there is nothing to solve") {
     factor(solver);
     CHECK(solver.solve(matrices::random_columns(8, 3, 1)).rows() == 0);
 }
+
+TEST_CASE("where the normal equations lose more digits than there are, their rows give them back") {
+    // Rows of very different lengths: squared, the short ones vanish beside the long ones.
+    const int n = 60, columns = n + 8;
+    for (const double least : {1e-2, 1e-6}) {
+        EntryRows<1> rows;
+        for (int i = 0; i <= n; ++i) {
+            const double weight = i % 7 == 3 ? least : 1;
+            for (const int k : {i - 1, i})
+                if (k >= 0 && k < n) {
+                    rows.columns.push_back(k);
+                    rows.values.emplace_back((k == i ? 1 : -1) * weight);
+                } else {
+                    rows.columns.push_back(n + (k < 0 ? 3 : 7)); // the translations of two handles
+                    rows.values.emplace_back((k < 0 ? -1 : 1) * weight);
+                }
+            rows.close_row();
+        }
+        const NormalEquations system = normal_equations(rows, rows, n, columns);
+        Points line = Points::Zero(n, 3);
+        line.col(0).setLinSpaced(0, 1);
+        PreparedSolver solver(system, line);
+        factor(solver);
+        CHECK(solver.needs_rows() == (least < 1e-3));
+        Columns w = Columns::Zero(8, 3);
+        w.row(3) << 0.3, 0.5, -0.7;
+        w.row(7) = w.row(3);
+        const Columns all = w.row(3).replicate(n, 1); // what moves both ends moves everything
+        const double before = (solver.solve(w) - all).cwiseAbs().maxCoeff();
+        solver.refine_by(row_pair(rows, rows, n, columns));
+        CHECK_FALSE(solver.needs_rows());
+        const double after = (solver.solve(w) - all).cwiseAbs().maxCoeff();
+        CHECK(after < 1e-9);
+        if (least < 1e-3) CHECK(after < 1e-2 * before);
+        CHECK(solver.solve(w) == solver.solve(w));
+        CHECK((solver.solve(w, nullptr, false) - all).cwiseAbs().maxCoeff() == before);
+        const Columns b = matrices::random_columns(n, 3, 5);
+        const Columns pulled = solver.solve(Columns::Zero(8, 3), &b);
+        const RowPair pair = row_pair(rows, rows, n, columns);
+        Columns padded = Columns::Zero(columns, 3);
+        padded.topRows(n) = pulled;
+        CHECK((pair.left.transpose() * Columns(pair.right * padded) - b).norm() < 1e-6 * b.norm() * pulled.norm());
+    }
+}

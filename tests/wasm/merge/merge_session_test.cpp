@@ -2,6 +2,7 @@
 
 #include "lissom/merge/merge_session.h"
 
+#include "refusal.h"
 #include "tubes.h"
 
 #include "lissom/mesh/operators.h"
@@ -109,4 +110,41 @@ TEST_CASE("a part cut off and merged back to where it was returns to its place")
     double worst = 0;
     for (const int v : cap) worst = std::max(worst, (result.model.positions.row(result.model.source.result_of_vertex[v]) - ball.points.row(v)).norm());
     CHECK(worst < 0.05 * diagonal(ball.points));
+}
+
+TEST_CASE("a boundary that a vertex far away leaves no size beside its model is refused in either mode, in any unit") {
+    for (const double far : {1e30, 1e9})
+        for (const MergeMode mode : {MergeMode::independent, MergeMode::dependent})
+            for (const bool of_source : {false, true})
+                for (const int vertex : {0, 7, 100}) {
+                    TriangleMesh s = tube(10, 20, dome), t = tube(10, 31, bowl, false);
+                    (of_source ? s : t).points(vertex, 1) = far;
+                    for (const double unit : {1e-3, 1.0, 1e3}) {
+                        s.points *= unit;
+                        t.points *= unit;
+                        const WorkingMesh source = shapes::working(s), target = shapes::working(t);
+                        CHECK(refusal([&] { MergeSession(source, target, std::vector<MergeBoundary>{{{first(20), {}}, {first(31), {}}}}, {.mode = mode}); }) == "boundary-too-small");
+                    }
+                }
+}
+
+TEST_CASE("a source placed where numbers do not tell its vertices apart is refused") {
+    const WorkingMesh source = shapes::working(tube(10, 20, dome)), target = shapes::working(tube(10, 31, bowl, false));
+    MergeOptions options{.mode = MergeMode::dependent};
+    const auto place = [&](double scale, double away) {
+        options.placement = Eigen::Translation3d(away, 0, 0) * Eigen::Scaling(scale);
+        return refusal([&] { MergeSession(source, target, std::vector<MergeBoundary>{{{first(20), {}}, {first(31), {}}}}, options); });
+    };
+    CHECK(place(1, 3) == "none");
+    CHECK(place(1, 1e6) == "none");
+    CHECK(place(1e-3, 1e9) == "placed-too-far");
+    CHECK(place(1e-30, 1) == "placed-too-far");
+    CHECK(place(0, 1) == "placed-too-far");
+}
+
+TEST_CASE("keys that lead two thousand vertices onto one edge are merged all the same") {
+    const TriangleMesh s = tube(10, 20, dome), t = tube(10, 2000, bowl, false);
+    const WorkingMesh source = shapes::working(s), target = shapes::working(t);
+    const MergeResult result = merged(source, target, {{{first(20), {}}, {first(2000), {}}}}, {{{0, 0}, {1, 1998}}});
+    check_closed(mesh_of(result.model, s, t), 2);
 }

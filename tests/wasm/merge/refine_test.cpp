@@ -106,3 +106,17 @@ TEST_CASE("a loop that is fine enough is left alone, and the unit does not matte
         CHECK(here.mesh.triangles == there.mesh.triangles);
     }
 }
+
+TEST_CASE("an edge between neighbouring numbers has no middle, and refining ends there") {
+    Part part = part_of(6, 12);
+    part.mesh.points.row(1) = part.mesh.points.row(0);
+    part.mesh.points(1, 0) = std::nextafter(part.mesh.points(0, 0), 2.0);
+    const double length = (part.mesh.points.row(1) - part.mesh.points.row(0)).norm();
+    part.mesh.points.row(2) = part.mesh.points.row(1);
+    CHECK(refine_loop(part, 0, 0.5) > 0);
+    Part tiny = part;
+    tiny.loops[0].resize(12);
+    const TriangleMesh before = tiny.mesh;
+    for (int v = 3; v < tiny.mesh.vertex_count(); ++v) tiny.mesh.points.row(v) = tiny.mesh.points.row(0); // one place but for one digit
+    CHECK(refine_loop(tiny, 0, 0.3 * length) == 0);
+}

@@ -129,3 +129,29 @@ TEST_CASE("a triangulation avoids triangles that face away, at the cost of thin 
         CHECK((q - p).cross(r - p).z() > 0);
     }
 }
+
+TEST_CASE("a triangle with thousands of vertices on its sides is zipped into as many triangles, none turned or without area") {
+    for (const std::array<int, 3>& inserted : {std::array<int, 3>{4000, 0, 0}, {3000, 2, 0}, {1500, 1500, 40}, {70, 70, 70}, {0, 1000, 3}}) {
+        const std::array<Vector3d, 3> corner{Vector3d(0, 0, 0), Vector3d(3, 0, 0), Vector3d(1, 2, 0)};
+        std::vector<Vector3d> polygon;
+        std::array<int, 3> first{};
+        for (int c = 0; c < 3; ++c) {
+            first[c] = static_cast<int>(polygon.size());
+            for (int k = 0; k <= inserted[c]; ++k) polygon.push_back(corner[c] + (corner[(c + 1) % 3] - corner[c]) * k / (inserted[c] + 1));
+        }
+        const int n = static_cast<int>(polygon.size());
+        const auto longest = std::max_element(inserted.begin(), inserted.end()) - inserted.begin();
+        const auto triangles = zipped(polygon, {first[longest], longest == 2 ? 0 : first[longest + 1]}, {0, 0, 1});
+        CHECK(static_cast<int>(triangles.size()) == n - 2);
+        double area = 0;
+        int thin = 0;
+        for (const auto& [a, b, c] : triangles) {
+            const double twice = (polygon[b] - polygon[a]).cross(polygon[c] - polygon[a]).z();
+            area += twice / 2;
+            thin += !(twice > 1e-12);
+        }
+        CHECK(area == doctest::Approx(3));
+        CHECK(thin == 0);
+        CHECK(triangles == zipped(polygon, {first[longest], longest == 2 ? 0 : first[longest + 1]}, {0, 0, 1}));
+    }
+}

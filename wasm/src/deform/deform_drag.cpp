@@ -52,6 +52,7 @@ public:
     }
 
     DeformResult run(bool settle) {
+        is_final_ = settle;
         if (region_.unknowns > 0) {
             if (!p_.has_first()) {
                 solve(*p_.second, nullptr);
@@ -89,7 +90,7 @@ private:
     }
 
     void solve(const PreparedSolver& solver, const Columns* b) {
-        u_.topRows(region_.unknowns) = solver.solve(w_, b);
+        u_.topRows(region_.unknowns) = solver.solve(w_, b, is_final_);
         result_.solve_seconds += watch_.lap();
     }
 
@@ -193,6 +194,7 @@ private:
     Points details_;                  ///< to mix in, working space
     std::vector<Matrix3d> rotations_; ///< of each handle
     std::vector<Matrix3d> turns_;     ///< s R − I of each handle
+    bool is_final_ = true;
     Stopwatch watch_;
     DeformResult result_;
 };

@@ -40,7 +40,6 @@ void PreparedDeform::assemble() {
     const Eigen::VectorXd areas = vertex_areas(region.mesh);
     Points coordinates(region.unknowns, 3);
     for (int k = 0; k < region.unknowns; ++k) coordinates.row(k) = region.mesh.points.row(region.vertex_of_slot[k]);
-    std::vector<int> blended;
     std::vector<int> local(static_cast<std::size_t>(working.mesh.vertex_count()), -1);
     for (int v = 0; v < std::ssize(region.working); ++v) local[region.working[v]] = v;
     for (std::size_t b = 0; b < options.blended.size(); ++b) {
@@ -58,6 +57,15 @@ void PreparedDeform::assemble() {
         rebuild = reconstruction(region, L, areas);
         second.emplace(std::move(rebuild.equations), coordinates);
     }
+}
+
+void PreparedDeform::add_rows(PreparedSolver& solver) {
+    const SparseMatrix L = cotangent_laplacian(region.mesh);
+    const Eigen::VectorXd areas = vertex_areas(region.mesh);
+    RowPair rows;
+    if (first && &solver == &*first) (void)implicit_system(region, L, areas, options.coherence_ring, blended, options.blend_weight, &rows);
+    else (void)reconstruction(region, L, areas, &rows);
+    solver.refine_by(std::move(rows));
 }
 
 DeformSession::DeformSession(const WorkingMesh& working, std::span<const int> roi, std::span<const DeformHandle> handles,
@@ -82,7 +90,9 @@ bool DeformSession::step() {
     for (std::optional<PreparedSolver>* solver : {&state_->prepared.first, &state_->prepared.second}) {
         if (!*solver || (*solver)->ready()) continue;
         more = true;
-        if (!(*solver)->step() && (*solver)->shifted()) state_->prepared.warnings.push_back({"factor-shifted", 1, {}, true});
+        if ((*solver)->step()) break;
+        if ((*solver)->shifted()) state_->prepared.warnings.push_back({"factor-shifted", 1, {}, true});
+        if ((*solver)->needs_rows()) state_->prepared.add_rows(**solver);
         break;
     }
     state_->prepared.factor_seconds += watch.lap();
@@ -117,6 +127,11 @@ int DeformSession::degenerate_vertices() const { return static_cast<int>(state_-
 double DeformSession::assemble_seconds() const { return state_->prepared.assemble_seconds; }
 double DeformSession::factor_seconds() const { return state_->prepared.factor_seconds; }
 const std::vector<Finding>& DeformSession::warnings() const { return state_->prepared.warnings; }
+
+bool DeformSession::corrects() const {
+    const auto corrects_in = [](const std::optional<PreparedSolver>& solver) { return solver && solver->corrects(); };
+    return corrects_in(state_->prepared.first) || corrects_in(state_->prepared.second);
+}
 
 double DeformSession::memory_bytes() const {
     double bytes = 0;

@@ -27,6 +27,7 @@ struct PreparedDeform {
     std::vector<std::pair<int, int>> free_sources{};   ///< source vertex and its unknown
     std::vector<std::pair<int, int>> handle_sources{}; ///< source vertex and its handle
 
+    std::vector<int> blended{};                   ///< vertices of the region with a row of E_T
     std::vector<int> blend_rows{}, blend_slots{}; ///< blended vertices that are free: their place in the options, their slot
 
     std::vector<Finding> warnings{};
@@ -37,6 +38,8 @@ struct PreparedDeform {
     void map_sources(const Roles& roles);
     /// Factors and right-hand sides for the roles and pieces found.
     void assemble();
+    /// Gives a solver that lacks digits the rows to correct its solutions by.
+    void add_rows(PreparedSolver& solver);
 
     [[nodiscard]] bool has_first() const { return options.method != DeformMethod::naive; }
     [[nodiscard]] bool has_second() const { return options.method != DeformMethod::implicit || options.remove_shear; }

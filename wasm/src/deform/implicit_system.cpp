@@ -20,7 +20,7 @@ public:
         : region_(region), L_(L), areas_(areas), coherence_ring_(coherence_ring),
           mean_area_(areas.mean()), edge_(mean_edge_length(region.mesh)) {}
 
-    ImplicitSystem run(std::span<const int> blended, double blend_weight) {
+    ImplicitSystem run(std::span<const int> blended, double blend_weight, RowPair* rows) {
         find_gradients();
         express_gradients();
         const int columns = region_.columns();
@@ -36,7 +36,8 @@ public:
             row.append_to(left);
         }
         add_blends(blended, std::sqrt(blend_weight), row, left, right);
-        out_.equations = normal_equations(left, right, region_.unknowns, columns);
+        if (rows != nullptr) *rows = row_pair(left, right, region_.unknowns, columns);
+        else out_.equations = normal_equations(left, right, region_.unknowns, columns);
         return std::move(out_);
     }
 
@@ -206,8 +207,8 @@ private:
 } // namespace
 
 ImplicitSystem implicit_system(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, int coherence_ring,
-                               std::span<const int> blended, double blend_weight) {
-    return Assembly(region, L, areas, coherence_ring).run(blended, blend_weight);
+                               std::span<const int> blended, double blend_weight, RowPair* rows) {
+    return Assembly(region, L, areas, coherence_ring).run(blended, blend_weight, rows);
 }
 
 } // namespace lissom

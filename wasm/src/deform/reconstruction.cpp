@@ -25,7 +25,7 @@ void add_row(const HeldRegion& region, const SparseMatrix& L, int i, double weig
 
 } // namespace
 
-Reconstruction reconstruction(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas) {
+Reconstruction reconstruction(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, RowPair* rows) {
     Reconstruction out;
     const double mean_area = areas.mean();
     EntryRows<1> left, right;
@@ -46,7 +46,8 @@ Reconstruction reconstruction(const HeldRegion& region, const SparseMatrix& L, c
             if (const int k = static_cast<int>(entry.row()); region.role[k] == Role::free)
                 details.emplace_back(region.slot[k], region.slot[i], weight * entry.value());
     }
-    out.equations = normal_equations(left, right, region.unknowns, region.columns());
+    if (rows != nullptr) *rows = row_pair(left, right, region.unknowns, region.columns());
+    else out.equations = normal_equations(left, right, region.unknowns, region.columns());
     out.T.resize(region.unknowns, region.slots());
     out.T.setFromTriplets(details.begin(), details.end());
 

@@ -88,6 +88,7 @@ void MergeSession::State::prepare(std::span<const int> roi, std::span<const Merg
         for (int v = 0; v < source_part.mesh.vertex_count(); ++v)
             source_part.mesh.points.row(v) =
                 target.to_working(Vector3d(options.placement * source.to_source(source_part.mesh.points.row(v).transpose()))).transpose();
+        check_placed();
     }
     source_normals = vertex_normals(source_part.mesh);
     target_normals = vertex_normals(target_part.mesh);

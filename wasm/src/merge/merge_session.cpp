@@ -14,6 +14,7 @@ MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target,
     : state_(new State{.source = source, .target = target, .options = options}) {
     Stopwatch watch;
     state_->cut(boundaries);
+    state_->check_sizes();
     state_->refine();
     state_->prepare(roi, handles);
     state_->prepare_seconds = watch.lap();
@@ -23,6 +24,7 @@ MergeSession::MergeSession(const WorkingMesh& source, const WorkingMesh& target,
     : state_(new State{.source = source, .target = target, .options = options}) {
     Stopwatch watch;
     state_->find_boundary(regions);
+    state_->check_sizes();
     state_->prepare({}, {});
     state_->prepare_seconds = watch.lap();
 }

@@ -43,6 +43,10 @@ struct MergeSession::State {
     void cut(std::span<const MergeBoundary> boundaries);
     void find_boundary(const PaintedRegions& regions);
     void cut_transitions();
+    /// @throws InvalidInput `boundary-too-small`
+    void check_sizes() const;
+    /// @throws InvalidInput `placed-too-far`
+    void check_placed() const;
     void refine();
     void prepare(std::span<const int> roi, std::span<const MergeHandle> handles);
     [[nodiscard]] std::vector<LoopMatch> match(std::span<const MergeKeys> keys, bool turned, std::vector<MergeKeys>& used, std::vector<Finding>& found) const;

@@ -28,7 +28,7 @@ public:
                 loop.insert(loop.begin() + static_cast<std::ptrdiff_t>(i) + 1, known->second);
                 continue;
             }
-            if (frozen_.contains(key(a, b)) || length(a, b) <= longest * (1 + k_tie)) {
+            if (frozen_.contains(key(a, b)) || !(length(a, b) > longest * (1 + k_tie)) || !has_middle(a, b)) {
                 ++i;
                 continue;
             }
@@ -54,6 +54,11 @@ private:
     using Edge = std::pair<int, int>;
 
     [[nodiscard]] double length(int a, int b) const { return (points_[a] - points_[b]).norm(); }
+    /// Ends that are neighbours in double precision have none: half of such an edge is as long as the whole.
+    [[nodiscard]] bool has_middle(int a, int b) const {
+        const Eigen::RowVector3d middle = 0.5 * (points_[a] + points_[b]);
+        return middle != points_[a] && middle != points_[b];
+    }
 
     /// The longest edge of a triangle, as it runs there.
     [[nodiscard]] Edge longest_edge(int t) const {
@@ -74,13 +79,14 @@ private:
     [[nodiscard]] static Edge key(int a, int b) { return std::minmax(a, b); }
 
     /// One bisection on the way to that of (a, b): ever longer edges lead away from it, the last of them is bisected,
-    /// and the next way is shorter.
+    /// and the next way is shorter. Lengths that are equal but for rounding could lead in a circle: a way of as many
+    /// triangles as there are ends where it is.
     void bisect_toward(int a, int b) {
         const auto own = at_.find({a, b});
         int t = own != at_.end() ? own->second : at_.at({b, a});
-        for (;;) {
+        for (std::size_t way = 1;; ++way) {
             const auto [p, q] = longest_edge(t);
-            if (key(p, q) == key(a, b)) return bisect(p, q);
+            if (key(p, q) == key(a, b) || way > triangles_.size()) return bisect(p, q);
             const auto beyond = at_.find({q, p});
             if (beyond == at_.end()) return bisect(p, q);
             const auto [r, s] = longest_edge(beyond->second);

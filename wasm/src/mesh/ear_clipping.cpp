@@ -1,6 +1,9 @@
 #include "ear_clipping.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 #include <queue>
 
 namespace lissom {
@@ -17,6 +20,65 @@ double turn(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vec
     return (b.x() - a.x()) * (c.y() - b.y()) - (b.y() - a.y()) * (c.x() - b.x());
 }
 
+/// Some points of the plane by squares that hold about one each.
+class PointGrid {
+public:
+    PointGrid() = default;
+    PointGrid(const std::vector<Eigen::Vector2d>& points, const std::vector<int>& some) {
+        if (some.empty())
+            return;
+        Eigen::AlignedBox2d box;
+        for (const int i : some)
+            box.extend(points[i]);
+        const auto count = static_cast<double>(some.size());
+        const Eigen::Vector2d size = box.sizes();
+        low_ = box.min();
+        side_ = std::max(std::sqrt(size.x() * size.y() / count), size.maxCoeff() / count);
+        if (!(side_ > 0))
+            side_ = 1;
+        for (int d = 0; d < 2; ++d)
+            cells_[d] = 1 + static_cast<int>(size[d] / side_);
+        start_.assign(static_cast<std::size_t>(cells_.x()) * cells_.y() + 1, 0);
+        for (const int i : some)
+            ++start_[number(cell(points[i])) + 1];
+        for (std::size_t c = 1; c < start_.size(); ++c)
+            start_[c] += start_[c - 1];
+        items_.resize(some.size());
+        std::vector<int> next(start_.begin(), start_.end() - 1);
+        for (const int i : some)
+            items_[next[number(cell(points[i]))]++] = i;
+    }
+
+    /// Whether `test` holds for a point in or near a box.
+    template <class Test>
+    [[nodiscard]] bool any(const Eigen::Vector2d& low, const Eigen::Vector2d& high, const Test& test) const {
+        if (items_.empty())
+            return false;
+        const Eigen::Vector2i from = cell(low), to = cell(high);
+        for (int y = from.y(); y <= to.y(); ++y)
+            for (int k = start_[number({from.x(), y})]; k < start_[number({to.x(), y}) + 1]; ++k)
+                if (test(items_[k]))
+                    return true;
+        return false;
+    }
+
+private:
+    [[nodiscard]] Eigen::Vector2i cell(const Eigen::Vector2d& p) const {
+        Eigen::Vector2i at;
+        for (int d = 0; d < 2; ++d)
+            at[d] = static_cast<int>(std::clamp((p[d] - low_[d]) / side_, 0.0, cells_[d] - 1.0));
+        return at;
+    }
+    [[nodiscard]] std::size_t number(const Eigen::Vector2i& at) const {
+        return static_cast<std::size_t>(at.y()) * cells_.x() + at.x();
+    }
+
+    Eigen::Vector2d low_;
+    Eigen::Vector2i cells_;
+    double side_ = 1;
+    std::vector<int> start_, items_;
+};
+
 class Clipper {
 public:
     explicit Clipper(const std::vector<Eigen::Vector2d>& corners)
@@ -28,10 +90,7 @@ public:
         }
         for (int i = 0; i < left_; ++i)
             convex_[i] = is_convex(i);
-        for (int i = 0; i < left_; ++i)
-            if (!convex_[i])
-                blockers_.push_back(i);
-        std::sort(blockers_.begin(), blockers_.end(), [&](int i, int j) { return p_[i].x() < p_[j].x(); });
+        find_blockers();
         for (int i = 0; i < left_; ++i)
             offer(i);
     }
@@ -66,17 +125,22 @@ private:
     /// Only corners that are not convex can lie in the way (if any corner does, one of these does).
     [[nodiscard]] bool is_blocked(int i) const {
         const Eigen::Vector2d &a = p_[prev_[i]], &b = p_[i], &c = p_[next_[i]];
-        const double low = std::min({a.x(), b.x(), c.x()}), high = std::max({a.x(), b.x(), c.x()});
-        auto at = std::lower_bound(blockers_.begin(), blockers_.end(), low,
-                                   [&](int j, double x) { return p_[j].x() < x; });
-        for (; at != blockers_.end() && p_[*at].x() <= high; ++at) {
-            const Eigen::Vector2d& q = p_[*at];
-            if (gone_[*at] || convex_[*at] || q == a || q == b || q == c)
-                continue; // a corner of the ear, or one that touches it there
-            if (turn(a, b, q) >= 0 && turn(b, c, q) >= 0 && turn(c, a, q) >= 0)
-                return true;
-        }
-        return false;
+        return blockers_.any(a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c), [&](int j) {
+            const Eigen::Vector2d& q = p_[j];
+            if (gone_[j] || convex_[j] || q == a || q == b || q == c)
+                return false; // a corner of the ear, or one that touches it there
+            return turn(a, b, q) >= 0 && turn(b, c, q) >= 0 && turn(c, a, q) >= 0;
+        });
+    }
+
+    void find_blockers() {
+        std::vector<int> found;
+        for_each_left([&](int i) {
+            if (!convex_[i])
+                found.push_back(i);
+        });
+        blockers_ = PointGrid(p_, found);
+        left_then_ = left_;
     }
 
     [[nodiscard]] double cut_length(int i) const { return (p_[prev_[i]] - p_[next_[i]]).squaredNorm(); }
@@ -126,17 +190,15 @@ private:
         prev_[after] = before;
         gone_[i] = true;
         --left_;
+        bool is_spoilt = false;
         for (const int j : {before, after}) {
             ++version_[j];
             const bool was_convex = convex_[j];
             convex_[j] = is_convex(j);
-            if (was_convex && !convex_[j]) // can only happen after a forced cut
-                blockers_.insert(std::lower_bound(blockers_.begin(), blockers_.end(), p_[j].x(),
-                                                  [&](int b, double x) { return p_[b].x() < x; }),
-                                 j);
+            is_spoilt = is_spoilt || (was_convex && !convex_[j]); // only after a forced cut
         }
-        if (left_ < static_cast<int>(blockers_.size()) / 2) // keep the search short as the polygon shrinks
-            std::erase_if(blockers_, [&](int b) { return gone_[b] || convex_[b]; });
+        if (times_stuck_ <= k_patience && (is_spoilt || left_ < left_then_ / 2)) // short searches as the polygon shrinks
+            find_blockers();
         offer(before);
         offer(after);
     }
@@ -145,7 +207,8 @@ private:
     int left_, first_ = 0, times_stuck_ = 0;
     std::vector<int> prev_, next_, version_;
     std::vector<bool> gone_, convex_;
-    std::vector<int> blockers_; ///< ascending x; may still hold corners that have since become harmless
+    PointGrid blockers_; ///< corners that were not convex when `left_then_` were left
+    int left_then_ = 0;
     std::priority_queue<Ear> ears_;
 };
 

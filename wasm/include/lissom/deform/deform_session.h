@@ -61,7 +61,7 @@ struct DeformResult {
 /// Source: Fu, thesis ch. 2 (000); Fu et al., Computer Graphics Forum 26(1), 2007 (002).
 /// Limits: rotations between neighbouring handles below 180 degrees.
 /// Cost:   prepare factors two matrices once per handle set; deform() is two solves and one polar
-///         decomposition per free vertex.
+///         decomposition per free vertex; where `corrects`, each solve that settles is two or three.
 class DeformSession {
 public:
     /// Assembles and analyzes; call step() until it returns false before deform().
@@ -92,6 +92,8 @@ public:
     [[nodiscard]] int degenerate_vertices() const; ///< displaced by Eq 2.9
     [[nodiscard]] double assemble_seconds() const;
     [[nodiscard]] double factor_seconds() const;
+    /// Whether one of the systems lacks digits (very short edges beside needles), so that settled results are corrected.
+    [[nodiscard]] bool corrects() const;
     [[nodiscard]] double memory_bytes() const;     ///< factors and matrices
     /// Things the user should know: `component-without-handle` (examples: a source vertex of each),
     /// `tiny-boundary` (handles whose rim is so small beside its region that local refinement there would

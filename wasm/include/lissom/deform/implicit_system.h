@@ -33,7 +33,8 @@ struct ImplicitSystem {
 /// @param areas vertex areas of region.mesh
 /// @param coherence_ring 1 or 2, SF of Eq 2.7
 /// @param blended  vertices of the region with a row of E_T; @param blend_weight  w_T
+/// @param rows     receives the rows themselves; then the equations are left out
 [[nodiscard]] ImplicitSystem implicit_system(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, int coherence_ring,
-                                             std::span<const int> blended = {}, double blend_weight = 0);
+                                             std::span<const int> blended = {}, double blend_weight = 0, RowPair* rows = nullptr);
 
 } // namespace lissom

@@ -68,6 +68,29 @@ struct NormalEquations {
     Eigen::SparseMatrix<double, Eigen::RowMajor> G;    ///< unknowns × 4·handles
 };
 
+/// The rows that normal equations were made of: A x + G w = leftᵀ (right (x, w)) but for rounding, and with fewer digits
+/// lost, for a row cancels before it is squared.
+struct RowPair {
+    Eigen::SparseMatrix<double, Eigen::RowMajor> left;  ///< rows × unknowns
+    Eigen::SparseMatrix<double, Eigen::RowMajor> right; ///< rows × (unknowns + 4·handles)
+};
+
+/// The D numbers of each row as rows of their own, without those that are 0.
+template <int D>
+RowPair row_pair(const EntryRows<D>& left, const EntryRows<D>& right, int unknowns, int columns) {
+    const auto flat = [&](const EntryRows<D>& rows, int width) {
+        std::vector<Eigen::Triplet<double>> entries;
+        for (int i = 0; i < rows.count(); ++i)
+            for (int e = rows.offsets[i]; e < rows.offsets[i + 1]; ++e)
+                for (int d = 0; d < D; ++d)
+                    if (rows.columns[e] < width && rows.values[e][d] != 0) entries.emplace_back(D * i + d, rows.columns[e], rows.values[e][d]);
+        Eigen::SparseMatrix<double, Eigen::RowMajor> matrix(D * rows.count(), width);
+        matrix.setFromTriplets(entries.begin(), entries.end());
+        return matrix;
+    };
+    return {flat(left, unknowns), flat(right, columns)};
+}
+
 /// A_km = Σ_i left_i[k] · right_i[m]. The caller sees to it that the result is symmetric (left = right, or
 /// right = Λ left with Λ symmetric). Row by row with a dense accumulator; sorted by the final transposition.
 template <int D>

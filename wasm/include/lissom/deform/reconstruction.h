@@ -22,6 +22,7 @@ struct Reconstruction {
 
 /// @param L     cotangent Laplacian of region.mesh
 /// @param areas vertex areas of region.mesh
-[[nodiscard]] Reconstruction reconstruction(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas);
+/// @param rows  receives the rows themselves; then the equations are left out
+[[nodiscard]] Reconstruction reconstruction(const HeldRegion& region, const SparseMatrix& L, const Eigen::VectorXd& areas, RowPair* rows = nullptr);
 
 } // namespace lissom

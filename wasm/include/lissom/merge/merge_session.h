@@ -79,11 +79,13 @@ class MergeSession {
 public:
     /// @param source,target  kept by reference: must outlive the session
     /// @param roi      source vertices that may move (dependent only); empty: all
-    /// @throws InvalidInput `no-boundary`, what `cut_part` says, `handle-overlap`, `vertex-out-of-range`
+    /// @throws InvalidInput `no-boundary`, what `cut_part` says, `handle-overlap`, `vertex-out-of-range`,
+    ///         `boundary-too-small` (half of a loop's edges below a millionth of its model), `placed-too-far` (dependent:
+    ///         below 1e-10 of the distance from the target)
     MergeSession(const WorkingMesh& source, const WorkingMesh& target, std::span<const MergeBoundary> boundaries, MergeOptions options = {},
                  std::span<const int> roi = {}, std::span<const MergeHandle> handles = {});
     /// Merges the feature along the boundary that changes least; then `merge` takes no keys (one empty list).
-    /// @throws InvalidInput what `map_regions`, `optimal_boundary`, `open_target` and `cut_part` say
+    /// @throws InvalidInput what `map_regions`, `optimal_boundary`, `open_target` and `cut_part` say, `boundary-too-small`
     MergeSession(const WorkingMesh& source, const WorkingMesh& target, const PaintedRegions& regions, MergeOptions options = {});
     ~MergeSession();
     MergeSession(MergeSession&&) noexcept;

@@ -29,7 +29,12 @@ struct JoinedMesh {
                                 std::span<const LoopMatch> matches);
 
 /// The triangulation of a polygon (in order, in space) whose least angle is largest, counting triangles that face
-/// away from `normal` as worst. @returns corner numbers, three a triangle
+/// away from `normal` as worst. n³/6 steps and n² numbers. @returns corner numbers, three a triangle
 [[nodiscard]] std::vector<std::array<int, 3>> widest_triangulation(const std::vector<Eigen::Vector3d>& polygon, const Eigen::Vector3d& normal);
+
+/// A triangulation of a triangle with many more vertices on its sides, in n steps: one side is joined to the other two
+/// from end to end, each time by the wider of the two triangles that could come next.
+/// @param side  corners at which that side begins and ends, at least two edges apart either way
+[[nodiscard]] std::vector<std::array<int, 3>> zipped(const std::vector<Eigen::Vector3d>& polygon, std::pair<int, int> side, const Eigen::Vector3d& normal);
 
 } // namespace lissom

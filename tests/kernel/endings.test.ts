@@ -1,0 +1,39 @@
+// How each call of the kernel is ended when nobody waits for it any more: by Esc, Ctrl-C, a timeout, a newer request.
+// In slices of 25 ms, at the next of which it stops; or, a call that is one piece, together with its worker (in Node: its
+// thread), which the client replaces 150 ms after the cancellation. So none goes on for longer than that.
+
+import { expect, test } from 'vitest';
+import type { KernelModule } from '../../wasm/bindings/kernel';
+import type { Method } from '../../web/kernel/contract';
+import { createHandlers } from '../../web/kernel/handlers/all';
+
+type Ending = 'in slices' | 'with its worker';
+
+/** Beside each its longest piece, in Node on a busy machine of two cores, for models of 160,000 vertices and a grid of 96. */
+const ENDINGS: Readonly<Record<Method, Ending>> = {
+  openModel: 'with its worker', // 2.2 s
+  measure: 'with its worker', // 0.3 s
+  release: 'with its worker', // 0
+  prepareDeform: 'in slices', // the first one, which assembles and orders, 17 s: that one ends with its worker
+  deform: 'with its worker', // 0.8 s a round, up to 100 of them
+  prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
+  merge: 'with its worker', // 8 s
+  mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices
+  loopsAround: 'with its worker', // 0.2 s
+  openHair: 'in slices', // the first one, which measures the head, 0.7 s: as above
+  styleHair: 'with its worker', // 4.5 s
+  growHair: 'in slices', // 0.2 s
+  hairField: 'with its worker', // 0.1 s
+  hairConstraints: 'with its worker', // 0
+};
+
+test('what is said to go on in slices takes a job, and nothing else does', () => {
+  const handlers = createHandlers({} as KernelModule, 0);
+  const found = Object.fromEntries(
+    Object.entries(handlers).map(([method, { length }]) => [
+      method,
+      length > 1 ? 'in slices' : 'with its worker',
+    ]),
+  );
+  expect(found).toEqual(ENDINGS);
+});
