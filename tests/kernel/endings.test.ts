@@ -16,6 +16,14 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   release: 'with its worker', // 0
   prepareDeform: 'in slices', // the first one, which assembles and orders, 17 s: that one ends with its worker
   deform: 'with its worker', // 0.8 s a round, up to 100 of them
+  estimateIsolines: 'with its worker', // 0
+  prepareIsolineModel: 'in slices', // the first one, which welds and simplifies: as above
+  prepareIsolines: 'in slices', // 1 s
+  dragIsolines: 'with its worker', // 0.02 s
+  poseIsolines: 'in slices', // the first one of a full pass, which assembles: as above
+  isolineFields: 'with its worker', // 0.1 s
+  isolineField: 'with its worker', // 0.1 s
+  isolineCurves: 'with its worker', // 0.1 s
   prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices
