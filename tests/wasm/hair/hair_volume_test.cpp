@@ -97,3 +97,15 @@ TEST_CASE("what has no scalp or an odd resolution is refused") {
     CHECK(code({0, 1, head.mesh.vertex_count()}, 32) == "scalp-vertex");
     CHECK(code({0, 1, -1}, 32) == "scalp-vertex");
 }
+
+TEST_CASE("a vertex so far away that the scalp has no digits left is refused, one at the end of what numbers tell apart is not") {
+    const auto code = [](double away) {
+        Head head;
+        for (int v = 0; v < head.mesh.vertex_count(); ++v)
+            if (head.mesh.points(v, 2) < -0.95) head.mesh.points(v, 2) = -away;
+        return refusal([&] { (void)hair_volume(head.mesh, head.scalp, 32, UpAxis::y); });
+    };
+    CHECK(code(1e30) == "scalp-too-small");
+    CHECK(code(1e11) == "scalp-too-small");
+    CHECK(code(1e9) == "");
+}

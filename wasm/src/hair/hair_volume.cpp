@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
 namespace lissom {
@@ -15,6 +16,8 @@ namespace {
 
 // A scalp is about three quarters of a head's height; a body is many scalps high.
 constexpr double k_head_in_scalps = 1.35, k_most_scalps = 2.5;
+/// Of the distance from the origin: six digits of sixteen are left for a scalp this wide.
+constexpr double k_least_digits = 1e-10;
 constexpr int k_distance_nodes = 112;  // of the distance grid, longest side
 constexpr double k_margin = 0.12;      // of the distance grid round the head, in head heights
 constexpr double k_aside = 0.45, k_above = 0.25, k_below = 0.8; // of the field's grid, in head heights
@@ -74,6 +77,13 @@ HairVolume hair_volume(const TriangleMesh& mesh, std::span<const int> scalp, int
     const double scalp_size = roots.extent().maxCoeff();
     if (!(scalp_size > 0))
         throw InvalidInput("scalp-empty", "The scalp has no area. Paint at least one whole triangle.");
+    const double farthest = all.low.cwiseAbs().cwiseMax(all.high.cwiseAbs()).maxCoeff();
+    if (!(scalp_size > k_least_digits * farthest)) {
+        std::ostringstream message;
+        message << "The scalp is " << scalp_size << " wide, but the head has vertices " << farthest
+                << " from its origin: numbers do not tell its places apart. Move those vertices to the others, or delete them.";
+        throw InvalidInput("scalp-too-small", message.str());
+    }
 
     HairVolume out;
     out.up = up_axis;

@@ -44,9 +44,10 @@ private:
 /// Calls visit(node, position) for every node within `radius` of the segment's bounding box.
 template <typename Visit>
 void for_nodes_near(const Grid& grid, const Eigen::Vector3d& a, const Eigen::Vector3d& b, double radius, Visit&& visit) {
-    const Eigen::Vector3d low = grid.local(a.cwiseMin(b).array() - radius).array().ceil().max(0.0);
-    const Eigen::Vector3d high =
-        grid.local(a.cwiseMax(b).array() + radius).array().floor().min((grid.size.array() - 1).cast<double>());
+    // Both ends of both: of places far beyond the grid no whole number could be made.
+    const Eigen::Array3d last = (grid.size.array() - 1).cast<double>();
+    const Eigen::Vector3d low = grid.local(a.cwiseMin(b).array() - radius).array().ceil().max(0.0).min(last + 1);
+    const Eigen::Vector3d high = grid.local(a.cwiseMax(b).array() + radius).array().floor().max(-1.0).min(last);
     for (int z = static_cast<int>(low.z()); z <= static_cast<int>(high.z()); ++z)
         for (int y = static_cast<int>(low.y()); y <= static_cast<int>(high.y()); ++y)
             for (int x = static_cast<int>(low.x()); x <= static_cast<int>(high.x()); ++x) {

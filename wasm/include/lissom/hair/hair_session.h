@@ -43,7 +43,7 @@ public:
     /// Call step() until it returns false before anything else.
     /// @param head   source units, wherever it lies
     /// @param scalp  vertices of it
-    /// @throws InvalidInput `scalp-empty`, `scalp-vertex`, `bad-resolution`, `head-empty`
+    /// @throws InvalidInput `scalp-empty`, `scalp-vertex`, `bad-resolution`, `head-empty`, `scalp-too-small`
     HairSession(const TriangleMesh& head, std::span<const int> scalp, int resolution = 48, UpAxis up = UpAxis::y);
     ~HairSession();
     HairSession(HairSession&&) noexcept;

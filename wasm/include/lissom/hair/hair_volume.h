@@ -22,7 +22,7 @@ struct HairVolume {
 ///
 /// @param scalp       vertices that hair grows on
 /// @param resolution  nodes of the field along the longest side, 16..96
-/// @throws InvalidInput `scalp-empty`, `scalp-vertex`, `bad-resolution`
+/// @throws InvalidInput `scalp-empty`, `scalp-vertex`, `bad-resolution`, `scalp-too-small` (below 1e-10 of the distance of the farthest vertex)
 [[nodiscard]] HairVolume hair_volume(const TriangleMesh& mesh, std::span<const int> scalp, int resolution,
                                      UpAxis up = UpAxis::y);
 
