@@ -69,7 +69,7 @@ struct Held {
 [[nodiscard]] double edge_rms(const TriangleMesh& rest, const Points& moved);
 [[nodiscard]] double volume_ratio(const TriangleMesh& rest, const Points& moved);
 
-/// Binary little-endian PLY of float positions and triangles, as the shared models are; no vertices where
+/// Binary little-endian PLY of float positions (and flags) and triangles, as the shared models are; no vertices where
 /// the file is not there.
 [[nodiscard]] TriangleMesh shared_model(const std::string& path);
 
