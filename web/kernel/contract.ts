@@ -20,7 +20,7 @@ export interface CallOptions {
   /** In [0, 1], at most every 50 ms. */
   readonly onProgress?: (fraction: number) => void;
   /** Buffers of the arguments that may be moved instead of copied; they are empty afterwards. */
-  readonly transfer?: Transferable[];
+  readonly moved?: Transferable[];
 }
 
 /**
