@@ -3,7 +3,7 @@
 import { type Finding, LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
 import { vertexCount, withPositions } from '../../core/model';
-import { toIndices } from '../../core/vertex-set';
+import { isEmpty, toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/steps/deform';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
 import type { StepContext, StepOutcome, StepRunner } from './step-runner';
@@ -75,11 +75,7 @@ export const deformRunner = {
 } satisfies StepRunner<DeformStep>;
 
 /** Handles with vertices; one painted and wholly erased again holds nothing. */
-const held = (step: DeformStep): DeformHandle[] =>
-  step.handles.filter(({ vertices }) => {
-    if (vertices === 'all') return true;
-    return 'ranges' in vertices ? vertices.ranges.length > 0 : vertices.length > 0;
-  });
+const held = (step: DeformStep): DeformHandle[] => step.handles.filter(({ vertices }) => !isEmpty(vertices));
 
 /** What is factored: everything but where the handles go. Names and hiding are for the eye only. */
 const constraints = (step: DeformStep): object => ({
