@@ -5,11 +5,12 @@ import type { DeformKernel } from './contract/deform';
 import type { HairKernel } from './contract/hair';
 import type { MergeKernel } from './contract/merge';
 import type { KernelId, ModelKernel } from './contract/model';
+import type { TransferKernel } from './contract/transfer';
 
 export type { KernelId };
 
 /** One line per wing: the registry of the bridge. */
-export interface Kernel extends ModelKernel, DeformKernel, MergeKernel, HairKernel {}
+export interface Kernel extends ModelKernel, DeformKernel, MergeKernel, HairKernel, TransferKernel {}
 
 export type Method = keyof Kernel;
 export type Args<M extends Method> = Parameters<Kernel[M]>[0];

@@ -5,6 +5,7 @@ import { hairHandlers } from './hair';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
+import { transferHandlers } from './transfer';
 
 /** One line per wing: the registry of this floor. */
 export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
@@ -14,5 +15,6 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...deformHandlers(wasm, registry),
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
+    ...transferHandlers(wasm, registry),
   };
 }
