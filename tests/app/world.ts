@@ -354,7 +354,7 @@ export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles
     port: blind(layers[id] ?? {}) as P,
     unmount: () => layers[id]?.unmounted?.(),
   });
-  return blind({ camera: STANDING, mount, ...parts }) as ViewportPort;
+  return blind({ camera: STANDING, mount, onDraw: () => () => {}, ...parts }) as ViewportPort;
 };
 
 /** Has what it is given; for the rest it takes every call and answers nothing. */

@@ -31,6 +31,7 @@ export function mountTransfer(
   const host = new AppTransferHost(viewport, parts, actions);
   const markers = viewport.mount(MARKERS);
   const painted = new PaintedRegions(viewport);
+  const frame = framing(viewport, () => own.positions.peek() !== null);
   const stop = effect(() => showTarget(painted, markers.port, host, parts, own, actions));
   const [pane] = parts.panes.take(1) ?? [];
   const source = pane && mountSource(pane.viewport, parts, own, actions);
@@ -50,10 +51,30 @@ export function mountTransfer(
     cancel: () => source?.cancel() ?? false,
     unmount: () => {
       stop();
+      frame.stop();
       source?.stop();
       painted.clear();
       markers.unmount();
     },
+  };
+}
+
+/**
+ * Frames what a viewport shows, once that is there: a pane has its size only once it is on the page, and a pose may reach
+ * further than the model at rest.
+ */
+function framing(viewport: ViewportPort, isThere: () => boolean): { again(): void; stop(): void } {
+  let isFramed = false;
+  const stop = viewport.onDraw(() => {
+    if (isFramed || viewport.size.width <= 1 || !isThere()) return;
+    isFramed = true;
+    viewport.fit();
+  });
+  return {
+    again: () => {
+      isFramed = false;
+    },
+    stop,
   };
 }
 
@@ -149,12 +170,15 @@ function mountSource(
   viewport.setPointerHandler(pointer);
   const painted = new PaintedRegions(viewport);
   let shown: ModelResult['opened'] | null = null;
+  const frame = framing(viewport, () => shown !== null);
   const stops = [
     effect(() => {
       const source = own.source.value;
       const rest = own.atRest.value && !state.choosing.value;
-      if (source?.rest.opened !== shown)
+      if (source?.rest.opened !== shown) {
         viewport.setModel(source && viewModel(source.rest.model, source.rest.opened));
+        frame.again();
+      }
       shown = source?.rest.opened ?? null;
       if (!source) return;
       viewport.setPositions(rest ? source.rest.model.positions : source.posed);
@@ -180,6 +204,7 @@ function mountSource(
     cancel: () => pointer.cancel(),
     stop: () => {
       for (const stop of stops) stop();
+      frame.stop();
       markers.unmount();
       painted.clear();
       viewport.setModel(null);

@@ -1,13 +1,15 @@
 import { useEffect, useState } from 'preact/hooks';
 import { listed } from '../../app/painted-regions';
 import type { VertexSet } from '../../core/vertex-set';
-import { centroid, pointAt } from '../../tools/geometry';
+import { centroid, gap, pointAt } from '../../tools/geometry';
 import { isHidden } from '../../tools/sight';
-import type { ViewportPort } from '../../view/types';
+import type { Vec3, ViewportPort } from '../../view/types';
 import { useApp } from '../context';
 import { useTransfer } from './use-transfer';
 
 const RADIUS = 9;
+/** Places on a handle that its number is tried at. */
+const SAMPLES = 6;
 
 interface Props {
   view: ViewportPort | null | undefined;
@@ -30,16 +32,14 @@ export function NumberOverlay({ view, positions, rest, sets }: Props) {
   return (
     <svg class="number-overlay" aria-hidden="true">
       {sets.map((set, index) => {
-        const vertex = middle(set, rest);
-        if (vertex === null) return null;
-        const point = pointAt(positions, vertex);
-        const { x, y, behind } = view.project(point);
-        if (behind) return null;
-        const marks = [
-          open.has(index) && 'open',
-          index === selected && 'selected',
-          isHidden(view, point) && 'hidden',
-        ];
+        const vertices = placesOn(set, rest);
+        if (vertices.length === 0) return null;
+        const { point, hidden } = placeOf(
+          view,
+          vertices.map((v) => pointAt(positions, v)),
+        );
+        const { x, y } = view.project(point);
+        const marks = [open.has(index) && 'open', index === selected && 'selected', hidden && 'hidden'];
         return (
           <g
             key={index}
@@ -55,22 +55,28 @@ export function NumberOverlay({ view, positions, rest, sets }: Props) {
   );
 }
 
-const middles = new WeakMap<object, { readonly of: Float64Array; readonly vertex: number | null }>();
+const places = new WeakMap<object, { readonly of: Float64Array; readonly vertices: readonly number[] }>();
 
-/** The vertex of a set that is nearest to its middle at rest. Sets never change in place, so it is sought once. */
-function middle(set: VertexSet, rest: Float64Array): number | null {
-  if (set === 'all') return null;
-  const known = middles.get(set);
-  if (known?.of === rest) return known.vertex;
-  const vertices = listed(set, rest.length / 3);
-  const [x, y, z] = centroid(rest, vertices);
-  let vertex: number | null = null;
-  let least = Number.POSITIVE_INFINITY;
-  for (const v of vertices) {
-    const [px, py, pz] = pointAt(rest, v);
-    const gap = Math.hypot(px - x, py - y, pz - z);
-    if (gap < least) [vertex, least] = [v, gap];
-  }
-  middles.set(set, { of: rest, vertex });
-  return vertex;
+/** Some vertices of a set, spread over it, those nearest to its middle at rest first. Sets never change in place. */
+function placesOn(set: VertexSet, rest: Float64Array): readonly number[] {
+  if (set === 'all') return [];
+  const known = places.get(set);
+  if (known?.of === rest) return known.vertices;
+  const list = listed(set, rest.length / 3);
+  const middle = centroid(rest, list);
+  const stride = Math.ceil(list.length / SAMPLES);
+  const spread = [...list].filter((_, i) => i % stride === 0);
+  const far = new Map(spread.map((v) => [v, gap(pointAt(rest, v), middle)]));
+  const vertices = spread.sort((a, b) => far.get(a)! - far.get(b)!);
+  places.set(set, { of: rest, vertices });
+  return vertices;
+}
+
+/** Where a set's number is: at the first of its places that is in sight, else at the first. */
+function placeOf(
+  view: ViewportPort,
+  points: readonly Vec3[],
+): { readonly point: Vec3; readonly hidden: boolean } {
+  const seen = points.find((point) => !isHidden(view, point));
+  return { point: seen ?? points[0]!, hidden: seen === undefined };
 }
