@@ -18,7 +18,7 @@ export interface Transferred {
   readonly seconds: { readonly perIteration: number; readonly solve: number };
 }
 
-/** Deformation transfer (Fu ch. 6): fields of both models once per set of handles, then one pose after another. */
+/** Deformation transfer (Isolines sec. 6): fields of both models once per set of handles, then one pose after another. */
 export interface TransferKernel {
   /**
    * Computes the fields of the handles on both models and factors: once per set of handles. Reports progress, can be

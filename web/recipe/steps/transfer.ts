@@ -6,7 +6,7 @@ import { between, listUpTo, reference, stepId, vertexSet } from '../schema-parts
 export const MAX_STRENGTH = 2;
 
 /**
- * Gives a model the pose of another (Fu ch. 6). `like` names the deform step that has the pose; `handles` are vertex sets
+ * Gives a model the pose of another (Isolines sec. 6). `like` names the deform step that has the pose; `handles` are vertex sets
  * of this step's model, one for each handle of that step and in its order: what is held there is here. An empty one
  * stands for a handle that has no counterpart.
  */
