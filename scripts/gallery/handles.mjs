@@ -3,8 +3,7 @@
 import { setOf } from './vertex-set.mjs';
 
 /** The vertices for which `inside(x, y, z)` holds. */
-export const pick = (points, inside) =>
-  setOf(points.flatMap((point, v) => (inside(...point) ? [v] : [])));
+export const pick = (points, inside) => setOf(points.flatMap((point, v) => (inside(...point) ? [v] : [])));
 
 /** Column-major, as all matrices here. */
 export const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
