@@ -99,7 +99,53 @@ function rearing() {
   );
 }
 
-const recipe = (pose, ...targets) => ({
+/** Ends of the arms, and where they bend, in the order of both models. */
+const ARMS = {
+  octopus: [
+    [1.207, 0.175],
+    [0.638, 1.04],
+    [-0.662, 1.025],
+    [-1.149, 0.411],
+    [-1.206, -0.181],
+    [-0.512, -1.108],
+    [0.453, -1.133],
+    [1.009, -0.686],
+  ],
+  squid: [
+    [1.527, 0.262],
+    [0.593, 1.431],
+    [-0.679, 1.392],
+    [-1.209, 0.969],
+    [-1.524, -0.28],
+    [-0.21, -1.535],
+    [0.208, -1.535],
+    [1.265, -0.894],
+  ],
+};
+const HEADS = { octopus: [0, 0.86, -0.06, 0.36], squid: [0, 0.86, -0.08, 0.32] };
+
+const armed = (model) => [
+  balls(model, HEADS[model]),
+  ...ARMS[model].map(([x, z]) => balls(model, [1.1 * x, 0.26, 1.1 * z, 0.3])),
+];
+
+/** An octopus that lifts the ends of its arms, one more than the next, its head a little to the side. */
+function dancing() {
+  const sets = armed('octopus');
+  const arms = ARMS.octopus.map(([x, z], i) => {
+    const length = Math.hypot(x, z);
+    const [ux, uz] = [x / length, z / length];
+    // About the horizontal axis across the arm: up and inwards; then around the middle.
+    const lift = turn([uz, 0, -ux], i % 2 ? -35 : -100, [0.62 * ux, 0.14, 0.62 * uz]);
+    const map = after(turn([0, 1, 0], i % 2 ? 14 : 0, [0, 0, 0]), lift);
+    return region(`Arm ${i + 1}`, sets[i + 1], map);
+  });
+  const head = region('Head', sets[0], turn([0.3, 0, 1], 14, [0, 0.5, 0]));
+  return deformStep('dancing', 'octopus', 'all', [head, ...arms]);
+}
+
+/** @param parts  a model's counterparts of the pose's handles */
+const recipe = (pose, parts, ...targets) => ({
   lissom: 1,
   models: Object.fromEntries([pose.model, ...targets].map((model) => [model, { builtin: model }])),
   steps: [
@@ -109,7 +155,7 @@ const recipe = (pose, ...targets) => ({
       type: 'transfer',
       model,
       like: pose.id,
-      handles: counterparts(model),
+      handles: parts(model),
       strength: 1,
       keepStretch: false,
     })),
@@ -120,7 +166,8 @@ const recipe = (pose, ...targets) => ({
 /** @returns name, title, model and recipe of each example */
 export function transferExamples() {
   return [
-    ['transfer-cow-rearing', 'Cow, rearing like a horse', 'cow', recipe(rearing(), 'cow')],
-    ['transfer-dog-rearing', 'Dog, rearing like a horse', 'dog', recipe(rearing(), 'dog')],
+    ['transfer-cow-rearing', 'Cow, rearing like a horse', 'cow', recipe(rearing(), counterparts, 'cow')],
+    ['transfer-dog-rearing', 'Dog, rearing like a horse', 'dog', recipe(rearing(), counterparts, 'dog')],
+    ['transfer-squid-dancing', 'Squid, dancing like an octopus', 'squid', recipe(dancing(), armed, 'squid')],
   ];
 }

@@ -273,6 +273,23 @@ describe('several poses', () => {
   });
 });
 
+test('of several transfers the one of the open pose is opened', async () => {
+  const tab = await given();
+  await tab.app.commands.run('transfer.new-pose');
+  await tab.app.commands.run('workspace.transfer');
+  await tab.app.commands.run('transfer.another');
+  tab.app.state.choosing.value!.choose('dog', { builtin: 'dog' });
+  tab.transfer.choosePose('deform 1');
+  await settled(tab);
+  const opened = async (pose: string) => {
+    tab.app.document.openStep(pose);
+    await enter(tab);
+    return step(tab).id;
+  };
+  expect(await opened('deform 2')).toBe('transfer 1');
+  expect(await opened('deform 1')).toBe('transfer 2');
+});
+
 describe('a pose that has changed since', () => {
   test('with another number of handles it says so, and is matched again', async () => {
     const tab = await given();

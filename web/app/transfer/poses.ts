@@ -50,11 +50,12 @@ export function withPose(recipe: Recipe, step: TransferStep, pose: DeformStep): 
 /** For each handle of the pose that the step is to give, the counterpart that the step has for it already. */
 function matched(recipe: Recipe, step: TransferStep, pose: DeformStep): TransferStep['handles'] {
   const old = poseOf(recipe, step)?.handles ?? [];
+  const inOrder = step.handles.length === pose.handles.length;
   return pose.handles.map((handle, i) => {
     const name = nameKey(handle.name);
     const same = old.findIndex((each) => each.vertices === handle.vertices);
     const named = name === '' ? -1 : old.findIndex((each) => nameKey(each.name) === name);
-    const found = same >= 0 ? same : named >= 0 ? named : old.length === pose.handles.length ? i : -1;
+    const found = same >= 0 ? same : named >= 0 ? named : inOrder ? i : -1;
     return step.handles[found] ?? [];
   });
 }

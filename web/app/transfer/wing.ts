@@ -1,11 +1,13 @@
 // The transfer wing: the pose of one model given to another.
 
 import { isEmpty } from '../../core/vertex-set';
+import type { Recipe } from '../../recipe/recipe';
 import type { Evaluation } from '../evaluated';
 import words from '../locales/en/transfer.json';
 import { listed } from '../painted-regions';
 import type { Wing } from '../wing';
 import type { WingParts } from '../wing-parts';
+import { lastOf } from '../workspaces';
 import { TransferActions } from './actions';
 import { TOOLS, transferCommands } from './commands';
 import { FEWEST_PAIRS, transferStrategy } from './evaluation';
@@ -34,6 +36,7 @@ export function create(parts: WingParts): TransferWing {
     commands: transferCommands(parts, own, actions),
     strategy: transferStrategy(own),
     start: () => actions.target.start(),
+    last: (recipe) => lastTransfer(recipe, state.step.peek()?.id),
     isIdle: (step) =>
       step.type === 'transfer' && step.handles.filter((set) => !isEmpty(set)).length < FEWEST_PAIRS,
     publish: (shown) => follow.publish(shown),
@@ -47,6 +50,11 @@ export function create(parts: WingParts): TransferWing {
     mount: (viewport) => mountTransfer(viewport, parts, own, actions),
   };
 }
+
+/** The last transfer of the open step's pose, else the last one of all. */
+const lastTransfer = (recipe: Recipe, open: string | undefined): string | undefined =>
+  recipe.steps.findLast((step) => step.type === 'transfer' && step.like === open)?.id ??
+  lastOf(recipe, 'transfer');
 
 /** What the list of pairs shows anyway. */
 const SHOWN = ['unpaired-handle', 'few-pairs'];
