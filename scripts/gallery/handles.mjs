@@ -36,6 +36,14 @@ export const after = (...maps) =>
 
 export const region = (name, vertices, matrix = identity) => ({ kind: 'region', vertices, matrix, name });
 
+/** The vertex nearest to a place, as a handle that is moved by `by`. */
+export function point(name, points, place, by = [0, 0, 0]) {
+  const gap = (p) => Math.hypot(...p.map((x, k) => x - place[k]));
+  const vertex = points.reduce((best, p, v) => (gap(p) < gap(points[best]) ? v : best), 0);
+  const position = points[vertex].map((x, k) => rounded(x + by[k]));
+  return { kind: 'point', vertices: [vertex], position, name };
+}
+
 export const deformStep = (id, model, roi, handles) => ({
   id,
   type: 'deform',
