@@ -10,10 +10,6 @@ export const face: Face = {
   Stage: TransferStage,
   stageClass: 'transferring',
   Figures: TransferFigures,
-  extras: (tool) => [
-    'transfer.next',
-    'transfer.rest',
-    ...(tool === 'paint-pair' ? ['transfer.clear', ...BRUSH] : []),
-  ],
+  extras: (tool) => ['transfer.next', ...(tool === 'paint-pair' ? ['transfer.clear', ...BRUSH] : [])],
   viewCommands: ['transfer.rest'],
 };
