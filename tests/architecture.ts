@@ -49,6 +49,7 @@ const ROOMS: Record<string, readonly string[]> = {
   solve: ['mesh'],
   merge: ['mesh', 'solve', 'deform'],
   match: ['mesh', 'solve', 'deform'],
+  isoline: ['mesh', 'solve', 'deform'],
 };
 
 /** @returns one sentence per include of `file` that breaks a rule */

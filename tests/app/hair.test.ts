@@ -1,6 +1,6 @@
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { growsAlike } from '../../web/app/hair/evaluation';
-import { headHeight } from '../../web/app/hair/head-height';
+import { tallness } from '../../web/app/hair/head-height';
 import { frameHair } from '../../web/app/hair/opening';
 import { fitted } from '../../web/app/hair/refit';
 import { growOn } from '../../web/app/hair/start';
@@ -245,7 +245,7 @@ test('a style fitted to its own head stays where it is', () => {
   const own = { ...newHairStep('hair 1', 'head'), streams: [stroke] };
   const scalp = Uint32Array.of(1, 2, 3);
   expect(fitted(own, { model, scalp }, model).streams).toEqual(own.streams);
-  expect(headHeight({}, model)).toBe(2);
+  expect(tallness(model)).toBe(2);
   expect(growsAlike(own, { ...own, material: { ...own.material, melanin: 0 } })).toBe(true);
   expect(growsAlike(own, { ...own, streams: [] })).toBe(false);
 });

@@ -106,7 +106,7 @@ describe('what is wrong is said with its place and what to do', () => {
       1000,
     ],
     [
-      'steps[0].method: expected ("implicit" | "iterative" | "naive"), found "magic".',
+      'steps[0].method: expected ("implicit" | "iterative" | "naive" | "isolines"), found "magic".',
       'steps.0.method',
       'magic',
     ],

@@ -1,16 +1,12 @@
-import type {
-  Deformed,
-  DeformHandleSpec,
-  DeformOptions,
-  PreparedDeform,
-} from '../../web/kernel/contract/deform';
+import type { Deformed, DeformOptions, PreparedDeform } from '../../web/kernel/contract/deform';
+import type { HandleSpec } from '../../web/kernel/contract/model';
 import type { WasmObject, WasmWorkingMesh } from './model';
 
 export interface DeformModule {
   readonly DeformSession: new (
     model: WasmWorkingMesh,
     roi: Uint32Array,
-    handles: readonly DeformHandleSpec[],
+    handles: readonly HandleSpec[],
     options: DeformOptions,
   ) => WasmDeformSession;
 }

@@ -7,6 +7,7 @@ import type { Recipe, Step } from '../recipe/recipe';
 import type { Runner } from '../run/evaluate';
 import type { StepReport } from '../run/results';
 import type { ModelResult } from '../run/types';
+import type { BlendSurface } from '../view/blend/types';
 import type { MessageKey } from './i18n';
 
 export type RunnerPort = Pick<Runner, 'run' | 'opened' | 'ask'>;
@@ -15,6 +16,14 @@ export interface EvaluatorPort {
   readonly result: ReadonlySignal<Evaluation | null>;
   /** Resolves once nothing runs or waits. */
   settled(): Promise<void>;
+}
+
+/** A model moved by a few transformations. */
+export interface Blend {
+  /** Stays the same object from one move to the next. */
+  readonly surface: BlendSurface;
+  /** See `BlendPort.move`. */
+  readonly offsets: Float64Array;
 }
 
 /** The open step's result. */
@@ -27,6 +36,8 @@ export interface Evaluation {
   readonly shown: ModelResult;
   /** Where the vertices of the model on screen are. */
   readonly positions: Float64Array;
+  /** How the graphics card moves the model on screen meanwhile; `null`: it is where `positions` say. */
+  readonly blend: Blend | null;
   /** Of a step that grows some. */
   readonly strands: Strands | null;
   /** `null` for a step that does nothing yet. */
@@ -41,7 +52,7 @@ export interface Evaluation {
 
 /** What a strategy makes of a step; the rest of an evaluation is the evaluator's. */
 export type Outcome = Pick<Evaluation, 'inputs' | 'shown' | 'positions'> &
-  Partial<Pick<Evaluation, 'strands' | 'report' | 'problem' | 'settled'>>;
+  Partial<Pick<Evaluation, 'blend' | 'strands' | 'report' | 'problem' | 'settled'>>;
 
 /** A state of the open step that is to be shown. */
 export interface Request<S extends Step = Step> {

@@ -54,6 +54,6 @@ function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | nul
     const keepCamera = before?.shown.model.faceVertices === model.faceVertices;
     viewport.setModel(viewModel(model, opened), { keepCamera });
   }
-  viewport.setPositions(next.positions);
+  if (!isShown || next.positions !== before?.positions) viewport.setPositions(next.positions);
   if (next.settled) viewport.settlePositions();
 }

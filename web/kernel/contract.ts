@@ -3,6 +3,7 @@
 
 import type { DeformKernel } from './contract/deform';
 import type { HairKernel } from './contract/hair';
+import type { IsolineKernel } from './contract/isoline';
 import type { MergeKernel } from './contract/merge';
 import type { KernelId, ModelKernel } from './contract/model';
 import type { TransferKernel } from './contract/transfer';
@@ -10,7 +11,13 @@ import type { TransferKernel } from './contract/transfer';
 export type { KernelId };
 
 /** One line per wing: the registry of the bridge. */
-export interface Kernel extends ModelKernel, DeformKernel, MergeKernel, HairKernel, TransferKernel {}
+export interface Kernel
+  extends ModelKernel,
+    DeformKernel,
+    IsolineKernel,
+    MergeKernel,
+    HairKernel,
+    TransferKernel {}
 
 export type Method = keyof Kernel;
 export type Args<M extends Method> = Parameters<Kernel[M]>[0];

@@ -28,7 +28,10 @@ export interface RunOptions {
   readonly measure?: boolean;
 }
 
-export type AskOptions = Pick<RunOptions, 'signal'>;
+export interface AskOptions extends Pick<RunOptions, 'signal'> {
+  /** @param fraction  in [0, 1] */
+  readonly onProgress?: (fraction: number) => void;
+}
 
 /** Bytes of positions and strands that cached results may hold. */
 const RESULT_BYTES = 256 * 1024 * 1024;
@@ -103,7 +106,7 @@ export class Runner {
     id: string,
     question: Q,
     args: QuestionArgs<Q>,
-    { signal }: AskOptions = {},
+    { signal, onProgress = () => {} }: AskOptions = {},
   ): Promise<Answer<Q>> {
     return this.#inTurn(signal, () =>
       this.#with(recipe, inputNames(recipe, id), signal, (given) => {
@@ -111,7 +114,7 @@ export class Runner {
         const step = recipe.steps[index]!;
         const answer = runnerOf(step).questions?.[question];
         if (!answer) throw notFound(`The ${step.type} step ${JSON.stringify(id)} knows no ${question}.`);
-        const context = { ...given, kernel: this.#session, settle: true, signal, onProgress: () => {} };
+        const context = { ...given, kernel: this.#session, settle: true, signal, onProgress };
         return placed(
           stepPlace(index, step),
           () => answer(step, context, args as never) as Promise<Answer<Q>>,

@@ -1,4 +1,12 @@
-import { BufferAttribute, BufferGeometry, DynamicDrawUsage, Mesh, Sphere, Vector3 } from 'three';
+import {
+  BufferAttribute,
+  BufferGeometry,
+  DynamicDrawUsage,
+  type GLBufferAttribute,
+  Mesh,
+  Sphere,
+  Vector3,
+} from 'three';
 import { facesInwards, isClosed, VertexNormals } from './normals';
 import { assignChannels, type Channel } from './region-channels';
 import { SurfaceGraph } from './surface-graph';
@@ -7,7 +15,10 @@ import { ViewSpace } from './view-space';
 
 /** One model on the graphics card: places, normals and the fields its look is made of. */
 export class ModelView {
+  /** What is drawn. */
   readonly geometry = new BufferGeometry();
+  /** Places, normals and triangles as they were last set, whatever is drawn meanwhile: for picking. */
+  readonly surface = new BufferGeometry();
   readonly mesh: Mesh;
   readonly space: ViewSpace;
   /** Encloses space with its faces turned inwards. */
@@ -27,9 +38,11 @@ export class ModelView {
     this.posed = model.positions;
     this.#position = new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
     this.#normal = new BufferAttribute(new Float32Array(3 * count), 3).setUsage(DynamicDrawUsage);
-    this.geometry.setIndex(new BufferAttribute(model.triangles, 1));
-    this.geometry.setAttribute('position', this.#position);
-    this.geometry.setAttribute('normal', this.#normal);
+    for (const geometry of [this.geometry, this.surface]) {
+      geometry.setIndex(new BufferAttribute(model.triangles, 1));
+      geometry.setAttribute('position', this.#position);
+      geometry.setAttribute('normal', this.#normal);
+    }
     for (const name of ['regionsLow', 'regionsHigh']) {
       this.geometry.setAttribute(name, new BufferAttribute(new Uint8Array(4 * count), 4, true));
     }
@@ -56,10 +69,29 @@ export class ModelView {
 
   setPositions(positions: Float64Array): void {
     this.posed = positions;
-    this.space.place(positions, this.#position.array as Float32Array);
-    this.#normals.compute(this.#position.array as Float32Array, this.#normal.array as Float32Array);
+    this.#draw(positions, this.#position.array as Float32Array, this.#normal.array as Float32Array);
     this.#position.needsUpdate = true;
     this.#normal.needsUpdate = true;
+  }
+
+  /** Places and normals as they would be drawn, drawn units. */
+  drawnAt(positions: Float64Array): { readonly places: Float32Array; readonly normals: Float32Array } {
+    const places = new Float32Array(positions.length);
+    const normals = new Float32Array(positions.length);
+    this.#draw(positions, places, normals);
+    return { places, normals };
+  }
+
+  /** Draws vertices that are kept elsewhere, until `drawOwn`. */
+  drawOther(position: GLBufferAttribute, normal: GLBufferAttribute): void {
+    // three takes them, its types do not.
+    this.geometry.setAttribute('position', position as unknown as BufferAttribute);
+    this.geometry.setAttribute('normal', normal as unknown as BufferAttribute);
+  }
+
+  drawOwn(): void {
+    this.geometry.setAttribute('position', this.#position);
+    this.geometry.setAttribute('normal', this.#normal);
   }
 
   /** @returns what each channel now holds, for the material's colours */
@@ -108,7 +140,14 @@ export class ModelView {
   }
 
   dispose(): void {
+    // What is drawn from elsewhere is freed there.
+    this.drawOwn();
     this.geometry.dispose();
+  }
+
+  #draw(positions: Float64Array, places: Float32Array, normals: Float32Array): void {
+    this.space.place(positions, places);
+    this.#normals.compute(places, normals);
   }
 
   #mask(set: Uint32Array): ReturnType<SurfaceGraph['softMask']> {

@@ -14,7 +14,7 @@ export class Picker {
   prepare(): void {
     if (this.view.model.triangles.length === 0) return;
     // Indirect: the file's order of faces is not ours to change.
-    if (!this.#tree) this.#tree = new MeshBVH(this.view.geometry, { indirect: true, setBoundingBox: false });
+    if (!this.#tree) this.#tree = new MeshBVH(this.view.surface, { indirect: true, setBoundingBox: false });
     else if (this.#stale) this.#tree.refit();
     this.#stale = false;
   }
@@ -44,13 +44,13 @@ export class Picker {
 
 /** A place on a triangle, found in drawn units, told in the model's own at full precision. */
 export function hitAt(
-  view: Pick<ModelView, 'model' | 'posed' | 'space' | 'geometry'>,
+  view: Pick<ModelView, 'model' | 'posed' | 'space' | 'surface'>,
   triangle: number,
   point: Vector3,
   eye: Vector3,
 ): Hit {
   const corners = [0, 1, 2].map((k) => view.model.triangles[3 * triangle + k]!) as [number, number, number];
-  const drawn = view.geometry.getAttribute('position');
+  const drawn = view.surface.getAttribute('position');
   const [a, b, c] = corners.map((v) => new Vector3().fromBufferAttribute(drawn, v)) as [
     Vector3,
     Vector3,
@@ -59,7 +59,7 @@ export function hitAt(
   const weights = Triangle.getBarycoord(point, a, b, c, new Vector3())?.toArray() ?? [1, 0, 0];
   const along = (k: number): number =>
     corners.reduce((sum, v, i) => sum + weights[i]! * view.posed[3 * v + k]!, 0);
-  const normals = view.geometry.getAttribute('normal');
+  const normals = view.surface.getAttribute('normal');
   const normal = new Vector3();
   corners.forEach((v, i) => {
     normal.addScaledVector(new Vector3().fromBufferAttribute(normals, v), weights[i]!);

@@ -76,6 +76,14 @@ export class ViewSpace {
     }
   }
 
+  /** The way back of `place`. */
+  toModelAll(places: Float32Array): Float64Array {
+    const out = new Float64Array(places.length);
+    const point = new Vector3();
+    for (let i = 0; i < places.length; i += 3) out.set(this.toModel(point.fromArray(places, i)), i);
+    return out;
+  }
+
   /** A frame of the model as the drawn object's position, turn and scale; the frame's own size is kept. */
   frameToView(frame: Matrix4, position: Vector3, turn: Quaternion, scale: Vector3): void {
     frame.decompose(position, turn, scale);

@@ -432,7 +432,7 @@ export class Viewport implements ViewportPort {
 
   /** @param frame  number of a picture at rest, from 1; 0: a moving one */
   #render(frame: number): void {
-    this.#wireframe?.fade(this.#rig.pixelSize(this.#rig.target));
+    this.#wireframe?.prepare(this.#rig.pixelSize(this.#rig.target));
     this.#layers.prepare(this.#rig.camera, frame);
     this.#materials.setShades(this.#layers.shades);
     this.#renderer.render(this.#scene, this.#rig.camera);

@@ -10,7 +10,7 @@ export class Wireframe {
   readonly #edgeLength: number;
   #strength = 0.4;
 
-  constructor(view: ModelView) {
+  constructor(private readonly view: ModelView) {
     const { positions, faceOffsets, faceVertices } = view.model;
     // Towards the eye by a trifle, so that lines win over the surface they lie on.
     this.#material.onBeforeCompile = (shader) => {
@@ -21,7 +21,7 @@ export class Wireframe {
     };
     const edges = polygonEdges(faceOffsets, faceVertices, positions.length / 3);
     const geometry = new BufferGeometry();
-    const drawn = view.geometry.getAttribute('position');
+    const drawn = view.surface.getAttribute('position');
     geometry.setAttribute('position', drawn);
     geometry.setIndex(new BufferAttribute(edges, 1));
     this.lines = new LineSegments(geometry, this.#material);
@@ -42,8 +42,9 @@ export class Wireframe {
     this.#strength = palette.wireStrength;
   }
 
-  /** Lines closer than a few pixels would only darken the model: they fade instead. */
-  fade(pixelSize: number): void {
+  /** Just before a picture. Lines closer than a few pixels would only darken the model: they fade instead. */
+  prepare(pixelSize: number): void {
+    this.lines.geometry.setAttribute('position', this.view.geometry.getAttribute('position'));
     const gap = this.#edgeLength / pixelSize;
     this.#material.opacity = this.#strength * Math.min(1, Math.max(0.16, (gap - 1.5) / 9));
   }

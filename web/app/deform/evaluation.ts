@@ -1,38 +1,109 @@
-// How a deform step is computed for the screen: factored once per set of handles, solved as often as they move.
+// How a deform step is computed for the screen: factored once per set of handles, solved as often as they move. A drag
+// that would be slow so goes by the isolines of the handles, on the graphics card.
 
 import type { DeformStep } from '../../recipe/recipe';
-import type { Evaluating, Outcome, Request, Strategy } from '../evaluated';
+import { mainInput } from '../../recipe/references';
+import type { IsolineDrag } from '../../run/steps/deform/isolines';
+import type { BlendSurface } from '../../view/blend/types';
+import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
 import { sameBefore, untouched } from '../strategy';
+import type { DeformState } from './state';
 
-export const deformStrategy: Strategy<DeformStep> = {
-  busy: 'busy.preparing',
+type DeformRequest = Request<DeformStep>;
 
-  /** Both need the same factorization: only where the handles go differs. */
-  worthWaiting(last, next) {
-    const [a, b] = [last.step, next.step];
-    return (
-      a.id === b.id &&
-      a.model === b.model &&
-      a.roi === b.roi &&
-      a.method === b.method &&
-      a.options === b.options &&
-      a.handles.length === b.handles.length &&
-      a.handles.every((handle, i) => handle.vertices === b.handles[i]!.vertices) &&
-      sameBefore(last, next)
-    );
-  },
+/** From so many vertices on a solve a frame cannot keep up with the hand, whatever the machine. */
+const LARGE = 60_000;
 
-  run(request, evaluating) {
-    return request.step.handles.length === 0 ? untouched(request, evaluating) : deformed(request, evaluating);
-  },
+export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<DeformStep> {
+  const surfaces = new Surfaces();
+  return {
+    busy: 'busy.preparing',
+
+    /** Both need the same factorization: only where the handles go differs. */
+    worthWaiting(last, next) {
+      const [a, b] = [last.step, next.step];
+      return (
+        a.id === b.id &&
+        a.model === b.model &&
+        a.roi === b.roi &&
+        a.method === b.method &&
+        a.options === b.options &&
+        a.handles.length === b.handles.length &&
+        a.handles.every((handle, i) => handle.vertices === b.handles[i]!.vertices) &&
+        sameBefore(last, next)
+      );
+    },
+
+    async run(request, evaluating) {
+      const { step, live } = request;
+      if (step.handles.length === 0) return untouched(request, evaluating);
+      if (live && own.blends.peek() && goesByIsolines(step, evaluating)) {
+        const moved = await dragged(request, evaluating, surfaces);
+        if (moved) return moved;
+      }
+      return deformed(request, evaluating);
+    },
+  };
+}
+
+/** The plain method is there to be seen as it is. */
+const goesByIsolines = ({ method, id }: DeformStep, { settle, before }: Evaluating): boolean => {
+  if (method === 'isolines') return true;
+  if (method === 'naive') return false;
+  const known = before?.step.id === id ? before : null;
+  return !settle || (known?.positions.length ?? 0) > 3 * LARGE;
 };
 
 /** The input with other positions: it stays the model on screen, so that a drag moves vertices and nothing else. */
 async function deformed(
-  { recipe, step }: Request,
+  { recipe, step }: DeformRequest,
   { runner, signal, onProgress, settle }: Evaluating,
 ): Promise<Outcome> {
   const results = await runner.run(recipe, { signal, onProgress, until: step.id, settle });
   const { inputs, model, report } = results.get(step.id)!;
   return { inputs, shown: inputs[0]!, positions: model.positions, report };
 }
+
+/** Only a few transformations are computed; the vertices stay where they are until the hand lets go. */
+async function dragged(
+  { recipe, step }: DeformRequest,
+  { runner, signal, onProgress, before }: Evaluating,
+  surfaces: Surfaces,
+): Promise<Outcome | null> {
+  const shown = await runner.opened(recipe, mainInput(step), { signal });
+  const drag = await runner.ask(recipe, step.id, 'drag', {}, { signal, onProgress });
+  if (!drag) return null;
+  const surface = await surfaces.of(drag.prepared, () =>
+    runner.ask(recipe, step.id, 'dragFields', {}, { signal }),
+  );
+  const known = before?.step.id === step.id && before.shown.key === shown.key ? before : null;
+  return {
+    inputs: [shown],
+    shown,
+    positions: known?.positions ?? shown.model.positions,
+    blend: { surface, offsets: drag.offsets },
+    report: known?.report ?? null,
+    settled: false,
+  };
+}
+
+/** The surface of the last set of handles: a drag asks for it once. */
+class Surfaces {
+  #of: IsolineDrag['prepared'] | undefined;
+  #surface: BlendSurface | undefined;
+
+  async of(
+    prepared: IsolineDrag['prepared'],
+    fetch: () => Promise<Pick<BlendSurface, 'fields' | 'gradients' | 'still'>>,
+  ): Promise<BlendSurface> {
+    if (this.#of !== prepared || !this.#surface) {
+      const { sets, single, basis, controls } = prepared;
+      this.#surface = { sets, single, basis, controls, ...(await fetch()) };
+      this.#of = prepared;
+    }
+    return this.#surface;
+  }
+}
+
+/** Whether a result is seen by way of the isolines. */
+export const isBlended = (evaluation: Evaluation | null): boolean => evaluation?.blend != null;

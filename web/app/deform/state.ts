@@ -6,6 +6,9 @@ import type { DeformStep } from '../../recipe/recipe';
 import type { GizmoMode } from '../../view/types';
 import type { State } from '../state';
 
+/** Lines of the selected handle's harmonic field, the field itself, or how rigid the surface stays (Isolines fig. 1-4). */
+export type IsolineView = 'nothing' | 'lines' | 'field' | 'rigidity';
+
 /** What the open step did to its model. */
 export interface WhatItDid {
   /** 1 = unchanged; of no meaning for an open surface (see `closed`). */
@@ -22,10 +25,19 @@ export interface WhatItDid {
 export class DeformState {
   /** The open step while it is one that deforms. */
   readonly step: ReadonlySignal<DeformStep | undefined>;
+  /** Whether the graphics card can move the model by a few transformations. */
+  readonly blends = signal(false);
   readonly gizmo = signal<GizmoMode>('translate');
   readonly heat = signal(false);
+  /** What of the isoline method is drawn on the surface. */
+  readonly isolines = signal<IsolineView>('nothing');
   /** Range of the heat map's legend: mean edge stretch, l/l₀ − 1. */
   readonly heatRange = signal<readonly [number, number]>([-0.5, 0.5]);
+  /** A field of the isoline method, while it is shown. */
+  readonly field = signal<{
+    readonly values: Float32Array;
+    readonly range: readonly [number, number];
+  } | null>(null);
   readonly whatItDid = signal<WhatItDid | null>(null);
   /** Per source vertex: mean of l/l₀ − 1 over its edges, for the heat map. */
   readonly stretch = signal<Float32Array | null>(null);

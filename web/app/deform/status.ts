@@ -1,11 +1,17 @@
 // The status bar's sentence in the deform workspace.
 
 import { t } from '../i18n';
-import type { State } from '../state';
+import type { WingParts } from '../wing-parts';
+import { isBlended } from './evaluation';
 import type { DeformState } from './state';
 
 /** Reads signals. @param key  the shortcut of a command as it is shown */
-export function deformStatus(state: State, own: DeformState, key: (command: string) => string): string {
+export function deformStatus(
+  { state, evaluator }: Pick<WingParts, 'state' | 'evaluator'>,
+  own: DeformState,
+  key: (command: string) => string,
+): string {
+  if (isBlended(evaluator.result.value)) return t('status.isolines');
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   switch (state.tool.value) {
     case 'select':

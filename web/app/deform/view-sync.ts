@@ -14,10 +14,12 @@ import type { Evaluation } from '../evaluated';
 import { listed, PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
+import { syncBlend } from './blend-sync';
 import { AppDeformHost } from './host';
+import { syncIsolines } from './isoline-sync';
 import type { DeformState } from './state';
 
-type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator'>;
+type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'runner' | 'messages'>;
 
 export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformState): Mounted {
   const { state, evaluator } = parts;
@@ -32,6 +34,8 @@ export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformSta
     return evaluation && step && evaluation.step.id === step.id ? { evaluation, step } : null;
   };
   const stops = [
+    syncBlend(viewport, evaluator, own),
+    syncIsolines(viewport, parts, own),
     effect(() => {
       const { item: selected } = state.selection.value;
       const stroke = host.paint.value;
@@ -58,7 +62,9 @@ export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformSta
     effect(() => {
       const values = own.stretch.value;
       const on = own.heat.value && evaluator.result.value !== null;
-      viewport.setHeat(on && values ? { values, range: own.heatRange.value } : null);
+      const field = own.field.value;
+      if (field) viewport.setHeat(field);
+      else viewport.setHeat(on && values ? { values, range: own.heatRange.value } : null);
     }),
   ];
   return {

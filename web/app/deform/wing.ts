@@ -31,14 +31,14 @@ export function create(parts: WingParts): DeformWing {
     tools: TOOLS,
     group: 'handle',
     commands: deformCommands(parts, own, actions),
-    strategy: deformStrategy,
+    strategy: deformStrategy(own),
     mirrors: true,
     start: async () => startDeform(parts),
     last: (recipe) => lastDeform(recipe, state.step.peek()?.id),
     isIdle: (step) => step.type === 'deform' && step.handles.length === 0,
     opening: openingRecipe,
     publish: (shown) => figures.publish(shown),
-    status: (key) => deformStatus(state, own, key),
+    status: (key) => deformStatus(parts, own, key),
     selected: () => {
       const { item } = state.selection.peek();
       const handle = item === null ? undefined : own.step.peek()?.handles[item];

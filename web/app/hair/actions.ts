@@ -124,7 +124,7 @@ export class HairActions implements HairService {
   headHeight(): number {
     const evaluation = this.parts.evaluator.result.value;
     if (evaluation?.step.type !== 'hair') return 1;
-    return headHeight(evaluation.step, evaluation.shown.model) || 1;
+    return headHeight(evaluation) || 1;
   }
 
   rebuildSupport(): void {

@@ -118,7 +118,7 @@ export class AppHairHost implements HairHost, ScalpHost {
 
   get #height(): number | null {
     const evaluation = this.parts.evaluator.result.peek();
-    return evaluation?.step.type === 'hair' ? headHeight(evaluation.step, evaluation.shown.model) : null;
+    return evaluation?.step.type === 'hair' ? headHeight(evaluation) : null;
   }
 
   #build(): SupportSurface | null {
@@ -130,7 +130,7 @@ export class AppHairHost implements HairHost, ScalpHost {
     if (!primitive || evaluation?.step.type !== 'hair') return null;
     const line = pointsOf(primitive, mainPart(primitive));
     if (line.length < 2) return null;
-    const reach = REACH * headHeight(evaluation.step, evaluation.shown.model);
+    const reach = REACH * headHeight(evaluation);
     return new SupportSurface(line, viewpoint, this.own.supportKind.value, reach);
   }
 }

@@ -6,7 +6,7 @@ import type { HairStep } from '../../recipe/recipe';
 import { scalpOf } from '../../run/steps/hair/scalp';
 import { places } from '../../tools/hair/measures';
 import { mapped, type Point, primitivesOf, withPrimitives } from '../../tools/hair/style';
-import { headHeight } from './head-height';
+import { tallness } from './head-height';
 
 interface Head {
   readonly model: Model;
@@ -18,7 +18,7 @@ export function fitted(step: HairStep, from: Head, to: Model): HairStep {
   const before = boxOf(from.model, from.scalp);
   const after = boxOf(to, scalpOf({}, to));
   if (!before || !after) return step;
-  const digits = places(headHeight({}, to));
+  const digits = places(tallness(to));
   const move = (point: readonly number[]): Point =>
     point.map((x, k) => {
       const [low, high] = before[k]!;

@@ -1,10 +1,5 @@
 import type { Finding } from '../../core/errors';
-import type { KernelId } from './model';
-
-export interface DeformHandleSpec {
-  readonly kind: 'region' | 'point';
-  readonly vertices: Uint32Array;
-}
+import type { HandleSpec, KernelId } from './model';
 
 export interface DeformOptions {
   readonly method?: 'implicit' | 'iterative' | 'naive';
@@ -39,7 +34,7 @@ export interface DeformKernel {
     model: KernelId;
     /** Source vertices that may move; handles are added to it. */
     roi: Uint32Array;
-    handles: readonly DeformHandleSpec[];
+    handles: readonly HandleSpec[];
     options: DeformOptions;
   }): PreparedDeform;
 

@@ -3,6 +3,12 @@ import type { Finding } from '../../core/errors';
 /** Something the kernel holds until `release`: whatever makes one answers `{ id, … }`. Dies with the worker. */
 export type KernelId = number & { readonly brand: 'KernelId' };
 
+/** What is held and moved: a part of the surface, or one point. */
+export interface HandleSpec {
+  readonly kind: 'region' | 'point';
+  readonly vertices: Uint32Array;
+}
+
 export interface OpenedModel {
   readonly id: KernelId;
   /** Drawable triangles in source indices, 3 each, faces in file order. */

@@ -2,6 +2,7 @@ import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { Handlers } from '../serve';
 import { deformHandlers } from './deform';
 import { hairHandlers } from './hair';
+import { isolineHandlers } from './isoline';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
@@ -13,6 +14,7 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
   return {
     ...modelHandlers(wasm, registry),
     ...deformHandlers(wasm, registry),
+    ...isolineHandlers(wasm, registry),
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),

@@ -31,16 +31,24 @@ const options = v.strictObject({
   scaleDetails: v.optional(v.boolean(), false),
   iterations: v.optional(wholeBetween(1, 100), 1),
   coherenceRing: v.optional(v.picklist([1, 2]), 1),
+  // Of the isoline method, which has its own defaults: none here, so that recipes without it stay as they are.
+  /** Control transformations a handle. */
+  isolines: v.optional(wholeBetween(3, 100)),
+  basis: v.optional(v.picklist(['quadratic', 'hats'])),
+  local: v.optional(v.picklist(['patches', 'isolines', 'positions'])),
+  sampledTriangles: v.optional(wholeBetween(10, 10_000)),
+  /** How it ends: as it was dragged, or with one full implicit pass. */
+  settle: v.optional(v.picklist(['reduced', 'full'])),
 });
 
-/** Bends a region of interest by handles (Fu ch. 2). Vertex indices are those of the step's input model. */
+/** Bends a region of interest by handles (Fu ch. 2; Isolines). Vertex indices are those of the step's input model. */
 export const deformStep = v.strictObject({
   id: stepId,
   type: v.literal('deform'),
   model: reference,
   roi: v.optional(vertexSet, 'all'),
   handles: listUpTo(MAX_HANDLES, v.variant('kind', [regionHandle, pointHandle])),
-  method: v.optional(v.picklist(['implicit', 'iterative', 'naive']), 'implicit'),
+  method: v.optional(v.picklist(['implicit', 'iterative', 'naive', 'isolines']), 'implicit'),
   options: v.optional(options, {}),
 });
 

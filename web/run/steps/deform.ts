@@ -1,16 +1,26 @@
 // The deform step: factors once per set of handles, then only the targets change.
 
-import { type Finding, LissomError } from '../../core/errors';
+import type { Finding } from '../../core/errors';
 import { hashValue } from '../../core/hash';
 import { vertexCount, withPositions } from '../../core/model';
-import { isEmpty, toIndices } from '../../core/vertex-set';
+import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/steps/deform';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
+import { held, specsOf, targetsOf } from './deform/handles';
+import {
+  dragIsolines,
+  fieldOfHandle,
+  fieldsOfIsolines,
+  type IsolineDrag,
+  type IsolineFigures,
+  runIsolines,
+} from './deform/isolines';
 import type { StepContext, StepOutcome, StepRunner } from './step-runner';
 
 const UNTIMED = { assemble: 0, factor: 0, solve: 0, rotate: 0, reconstruct: 0 };
 
-export interface DeformFigures {
+export interface DeformFigures extends Partial<IsolineFigures> {
+  /** Vertices that were solved for; the isoline method solves for none. */
   readonly free: number;
   readonly degenerate: number;
   readonly iterations: number;
@@ -18,7 +28,7 @@ export interface DeformFigures {
 
 export const deformRunner = {
   /** The one being dragged, and the ones to switch back to. */
-  keeps: { prepareDeform: 3 },
+  keeps: { prepareDeform: 3, prepareIsolineModel: 2, prepareIsolines: 3 },
 
   check(step, path, [input]) {
     if (!input) return;
@@ -44,6 +54,11 @@ export const deformRunner = {
     // A step that nothing holds yet leaves its input as it is: a document half made is no error.
     if (handles.length === 0) return unchanged(context, [...warnings, finding('no-handle', 1)]);
 
+    if (step.method === 'isolines') {
+      const outcome = await runIsolines(step, context);
+      const figures = { free: 0, degenerate: 0, ...outcome.figures };
+      return { ...outcome, figures, warnings: [...warnings, ...outcome.warnings] };
+    }
     const count = vertexCount(input.model);
     const prepared = await context.kernel.hold(
       'prepareDeform',
@@ -51,11 +66,8 @@ export const deformRunner = {
       {
         model: input.opened.id,
         roi: toIndices(step.roi, count),
-        handles: handles.map(({ kind, vertices }) => ({
-          kind,
-          vertices: toIndices(vertices, count),
-        })),
-        options: { method: step.method, ...step.options },
+        handles: specsOf(handles, count),
+        options: { method: step.method, ...implicitOptions(step) },
       },
       { ...signalOf(context), onProgress: (fraction) => context.onProgress(0.9 * fraction) },
     );
@@ -72,10 +84,21 @@ export const deformRunner = {
       warnings: [...warnings, ...prepared.warnings, ...deformed.warnings],
     };
   },
+  questions: {
+    /** A frame of a drag by the isoline method, whatever the step's own is; `null` where nothing is held. */
+    drag: (step: DeformStep, context: StepContext): Promise<IsolineDrag | null> =>
+      dragIsolines(step, context),
+    /** A handle's field, to show. */
+    handleField: fieldOfHandle,
+    /** What the graphics card needs for such frames. */
+    dragFields: (step: DeformStep, context: StepContext) => fieldsOfIsolines(step, context),
+  },
 } satisfies StepRunner<DeformStep>;
 
-/** Handles with vertices; one painted and wholly erased again holds nothing. */
-const held = (step: DeformStep): DeformHandle[] => step.handles.filter(({ vertices }) => !isEmpty(vertices));
+const implicitOptions = ({ options }: DeformStep) => {
+  const { removeShear, scaleDetails, iterations, coherenceRing } = options;
+  return { removeShear, scaleDetails, iterations, coherenceRing };
+};
 
 /** What is factored: everything but where the handles go. Names and hiding are for the eye only. */
 const constraints = (step: DeformStep): object => ({
@@ -87,26 +110,6 @@ const constraints = (step: DeformStep): object => ({
 
 const target = (handle: DeformHandle): readonly number[] =>
   handle.kind === 'region' ? handle.matrix : handle.position;
-
-/** One column-major 4×4 per handle, end to end; a point handle becomes the translation that places its vertex. */
-function targetsOf(handles: readonly DeformHandle[], rest: Float64Array): Float64Array {
-  const targets = new Float64Array(16 * handles.length);
-  for (const [at, handle] of handles.entries()) {
-    if (handle.kind === 'region') targets.set(handle.matrix, 16 * at);
-    else targets.set(translation(handle.vertices[0]!, handle.position, rest), 16 * at);
-  }
-  return targets;
-}
-
-function translation(vertex: number, position: readonly number[], rest: Float64Array): number[] {
-  const by = position.map((coordinate, axis) => coordinate - rest[3 * vertex + axis]!);
-  if (!by.every(Number.isFinite))
-    throw new LissomError(
-      'vertex-not-finite',
-      `The point handle's vertex ${vertex} has no finite position in the model; choose another vertex.`,
-    );
-  return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, ...by, 1];
-}
 
 const unchanged = ({ inputs }: StepContext, warnings: readonly Finding[]): StepOutcome<DeformFigures> => ({
   model: inputs[0]!.model,

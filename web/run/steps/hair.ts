@@ -24,6 +24,8 @@ const THICKEST = 2;
 export interface HairFigures {
   readonly constraints: number;
   readonly grid: readonly [number, number, number];
+  /** What the sizes of hair are measured by, in model units. */
+  readonly headHeight: number;
   readonly strands: number;
   readonly insideHead: number;
   readonly shortStrands: number;
@@ -82,6 +84,7 @@ export const hairRunner = {
       figures: {
         constraints: styled.constraints,
         grid: opened.grid,
+        headHeight: opened.headHeight,
         strands: offsets.length - 1,
         insideHead: grown.insideHead,
         shortStrands: grown.shortStrands,

@@ -2,6 +2,7 @@ import { t } from '../../app/i18n';
 
 import { Segments, SelectField, SliderField, Switch } from '../controls/fields';
 import { Section } from '../controls/section';
+import { IsolineOptions } from './isoline-options';
 import { useDeform } from './use-deform';
 
 export function MethodPanel() {
@@ -14,13 +15,14 @@ export function MethodPanel() {
       <SelectField
         label={t('ui.method.name')}
         value={method}
-        options={(['implicit', 'iterative', 'naive'] as const).map((value) => ({
+        options={(['implicit', 'iterative', 'isolines', 'naive'] as const).map((value) => ({
           value,
           label: t(`ui.method.${value}`),
         }))}
         onChange={(value) => deform.setMethod(value)}
       />
-      {method !== 'naive' && (
+      {method === 'isolines' && <IsolineOptions />}
+      {(method === 'implicit' || method === 'iterative') && (
         <>
           {method === 'implicit' && (
             <Switch

@@ -31,6 +31,18 @@ export interface LoopsPort {
   setLoops(loops: readonly LoopLine[]): void;
 }
 
+/** Lines of equal value of a field on the surface. */
+export interface LevelLines {
+  /** In [0, 1] per source vertex. */
+  readonly values: Float32Array;
+  /** Lines at whole multiples of 1 / steps, ends left out. */
+  readonly steps: number;
+}
+
+export interface LevelsPort {
+  setLevels(lines: LevelLines | null): void;
+}
+
 /** A curve with its control points. */
 export interface Curve {
   readonly id: string;

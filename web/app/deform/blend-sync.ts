@@ -1,0 +1,40 @@
+// A drag by isolines on screen: the graphics card is given the surface once, then a few numbers a move.
+
+import { effect } from '@preact/signals';
+import { BLEND } from '../../view/blend/blend-layer';
+import type { BlendSurface } from '../../view/blend/types';
+import type { ViewportPort } from '../../view/types';
+import type { EvaluatorPort } from '../evaluated';
+import type { DeformState } from './state';
+
+/** @returns the function that ends it */
+export function syncBlend(
+  viewport: ViewportPort,
+  { result }: Pick<EvaluatorPort, 'result'>,
+  { blends }: Pick<DeformState, 'blends'>,
+): () => void {
+  const { port, unmount } = viewport.mount(BLEND);
+  let held: BlendSurface | null = null;
+  let model: object | null = null;
+  blends.value = port.works;
+  const stop = effect(() => {
+    const shown = result.value;
+    const blend = shown?.blend ?? null;
+    if (!shown || !blend) {
+      port.move(null);
+      return;
+    }
+    // With another model on screen the card has let go of the surface.
+    if (held !== blend.surface || model !== shown.shown.opened) {
+      held = blend.surface;
+      model = shown.shown.opened;
+      if (!port.setSurface(held)) blends.value = false;
+    }
+    port.move(blend.offsets);
+  });
+  return () => {
+    stop();
+    blends.value = false;
+    unmount();
+  };
+}
