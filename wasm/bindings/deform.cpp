@@ -1,3 +1,4 @@
+#include "handles.h"
 #include "session.h"
 #include "lissom/deform/deform_session.h"
 
@@ -38,34 +39,14 @@ lissom::DeformOptions deform_options(const val& given) {
 HeldSession* prepare(const std::shared_ptr<lissom::WorkingMesh>& working, const val& roi, const val& handles,
                      const val& options) {
     return guarded([&] {
-        std::vector<lissom::DeformHandle> groups;
-        for (const val& handle : vecFromJSArray<val>(handles))
-            groups.push_back({handle["kind"].as<std::string>() == "point", indices(handle["vertices"])});
         return new HeldSession{working,
-                               lissom::DeformSession(*working, indices(roi), groups, deform_options(options))};
+                               lissom::DeformSession(*working, indices(roi), handle_groups(handles), deform_options(options))};
     });
 }
 
 // figures() → what PreparedDeform of web/kernel/contract.ts says of a prepared session
 val figures(const HeldSession& held) {
     return guarded([&] { return bindings::prepared_figures(held.session, held.session.assemble_seconds()); });
-}
-
-// k column-major 4×4 matrices, end to end, as THREE.Matrix4.elements
-std::vector<Eigen::Affine3d> affine_maps(const val& matrices) {
-    const auto flat = convertJSArrayToNumberVector<double>(matrices);
-    if (flat.size() % 16 != 0)
-        throw lissom::InvalidInput("handle-count", "Each handle needs the sixteen numbers of its matrix.");
-    std::vector<Eigen::Affine3d> maps(flat.size() / 16);
-    for (std::size_t j = 0; j < maps.size(); ++j) {
-        const Eigen::Map<const Eigen::Matrix4d> matrix(flat.data() + 16 * j);
-        if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-            throw lissom::InvalidInput(matrix.allFinite() ? "not-affine" : "non-finite-target",
-                                       "The transformation of handle " + std::to_string(j + 1) +
-                                           " is not made of a move, a turn and a scale. Reset the handle.");
-        maps[j].matrix() = matrix;
-    }
-    return maps;
 }
 
 // deform(targets: Float64Array, settle) → Deformed of web/kernel/contract.ts

@@ -20,7 +20,7 @@ public:
             const std::string name = argv[a];
             const bool known = name == "--vertices" || name == "--repeat" || name == "--no-eigen-above" || name == "--grids" ||
                                name == "--constraints" || name == "--strands" || name == "--changed" || name == "--rings" ||
-                               name == "--no-sparse-above";
+                               name == "--no-sparse-above" || name == "--no-full-above" || name == "--handles";
             if (!known || a + 1 == argc) {
                 std::fprintf(stderr, "%s: %s option %s\n", argv[0], known ? "no value for" : "unknown", argv[a]);
                 std::exit(1);

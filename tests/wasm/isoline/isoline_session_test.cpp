@@ -69,17 +69,17 @@ TEST_CASE("handles are where they were sent to, flat ones too, points too") {
         for (const int v : held[h].vertices)
             CHECK((moved.row(v).transpose() - targets[h] * Vector3d(bar.points.row(v))).norm() < 1e-12 * diagonal(bar.points));
     // What is not substituted afterwards agrees with it: the controls themselves put the handles there.
-    const std::vector<std::uint16_t> words = session.field_words();
-    const std::vector<float> controls = session.control_offsets();
+    const std::vector<double> controls = session.control_offsets();
+    const Eigen::VectorXf field = session.field(1);
     for (const int v : held[1].vertices) {
-        CHECK(words[static_cast<std::size_t>(v * session.field_count()) + 1] == 65535);
-        const Vector3d x = bar.points.row(v).transpose() - session.centre();
+        CHECK(field[v] == 1);
+        const Vector3d x = bar.points.row(v);
         Vector3d there = bar.points.row(v);
         for (int r = 0; r < 3; ++r) {
-            const float* row = controls.data() + 12 * session.sets().end_control(1) + 4 * r;
+            const double* row = controls.data() + 12 * session.sets().end_control(1) + 4 * r;
             there[r] += row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3];
         }
-        CHECK((there - targets[1] * Vector3d(bar.points.row(v))).norm() < 1e-5);
+        CHECK((there - targets[1] * Vector3d(bar.points.row(v))).norm() < 1e-9);
     }
 }
 
@@ -199,7 +199,11 @@ TEST_CASE("a component without a handle stays at rest, and is named") {
     CHECK(says(session.warnings(), "component-without-handle"));
     (void)session.drag(std::vector{Affine3d::Identity(), handles::some_similarity()});
     const Points moved = session.positions();
-    for (int v = shapes::bumpy_sphere(3).vertex_count(); v < mesh.vertex_count(); ++v) CHECK(moved.row(v) == mesh.points.row(v));
+    const auto still = session.still_vertices();
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        CHECK(still[v] == (v >= shapes::bumpy_sphere(3).vertex_count()));
+        if (still[v]) CHECK(moved.row(v) == mesh.points.row(v));
+    }
 }
 
 TEST_CASE("handles that touch are named, and again when they are pulled apart") {
@@ -288,25 +292,25 @@ TEST_CASE("the numbers for a shader give the positions and the normals of the co
     (void)session.drag(std::vector{Affine3d::Identity(), turn(50, {0, 1, 0}) * Eigen::Translation3d(-0.3, 0, 0), Affine3d(Eigen::Translation3d(0, 0.4, 0.1)),
                                    Affine3d::Identity()}, 20);
     const Points moved = session.positions();
-    const auto words = session.field_words();
+    const auto values = session.set_fields();
     const auto controls = session.control_offsets();
-    const int k = session.field_count();
+    const int k = session.sets().sets();
     double worst = 0;
     std::vector<ControlSets::Entry> entries;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
         std::vector<double> fields;
         double sum = 0;
         for (int f = 0; f < k; ++f) {
-            fields.push_back(words[static_cast<std::size_t>(v * k + f)] / 65535.0);
+            fields.push_back(std::lround(65535 * values[static_cast<std::size_t>(v * k + f)]) / 65535.0); // as a shader may keep them
             sum += fields.back();
         }
         CHECK(std::abs(sum - 1) <= k * 0.51 / 65535);
         session.sets().entries_at(fields, entries);
-        const Vector3d x = mesh.points.row(v).transpose() - session.centre();
-        Vector3d there = mesh.points.row(v);
+        const Vector3d x = mesh.points.row(v);
+        Vector3d there = x;
         for (const auto& e : entries)
             for (int r = 0; r < 3; ++r) {
-                const float* row = controls.data() + 12 * e.control + 4 * r;
+                const double* row = controls.data() + 12 * e.control + 4 * r;
                 there[r] += e.weight * (row[0] * x[0] + row[1] * x[1] + row[2] * x[2] + row[3]);
             }
         worst = std::max(worst, (there - moved.row(v).transpose()).norm());
@@ -320,13 +324,13 @@ TEST_CASE("the numbers for a shader give the positions and the normals of the co
     MESSAGE("normals of the blend are off by " << degrees << " degrees in the mean");
     CHECK(degrees < 0.5);
     // The gradient handed out is the field's difference along an edge.
-    const auto gradient = session.field_gradient(1);
+    const auto gradients = session.set_gradients();
     const Eigen::VectorXf field = session.field(1);
     double error = 0, size = 0;
     for (const Edge& e : edges(mesh)) {
         const Eigen::RowVector3d along = mesh.points.row(e.b) - mesh.points.row(e.a);
         double slope = 0;
-        for (int r = 0; r < 3; ++r) slope += 0.5 * (gradient[3 * e.a + r] + gradient[3 * e.b + r]) * along[r];
+        for (int r = 0; r < 3; ++r) slope += 0.5 * (gradients[3 * (e.a * k + 1) + r] + gradients[3 * (e.b * k + 1) + r]) * along[r];
         error += std::abs(slope - (field[e.b] - field[e.a]));
         size += std::abs(field[e.b] - field[e.a]);
     }

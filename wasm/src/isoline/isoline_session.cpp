@@ -265,7 +265,9 @@ double IsolineSession::fraction() const {
     case State::Stage::reduce: return 0.8;
     case State::Stage::done: break;
     }
-    return 1;
+    if (s.settle_ready) return 1;
+    if (s.full) return s.full->fraction();
+    return s.base.rows() > 0 ? static_cast<double>(s.base_steps) / k_detail_steps : 1;
 }
 
 IsolineFrame IsolineSession::drag(std::span<const Affine3d> targets, int solves, bool afresh) {
@@ -378,30 +380,45 @@ int IsolineSession::field_count() const { return state_->field_count(); }
 int IsolineSession::free_handle_count() const { return state_->free_handles; }
 bool IsolineSession::holds_rest() const { return state_->held.rest; }
 
-std::vector<std::uint16_t> IsolineSession::field_words() const {
+std::vector<float> IsolineSession::set_fields() const {
     const State& s = *state_;
     const std::vector<int>& map = s.model.working().working_of_source;
-    const auto k = static_cast<std::size_t>(s.field_count());
-    std::vector<std::uint16_t> words(map.size() * k, 0);
+    const auto k = static_cast<std::size_t>(s.sets.sets());
+    std::vector<float> out(map.size() * k, 0);
     for (std::size_t v = 0; v < map.size(); ++v)
         if (map[v] >= 0)
-            for (std::size_t f = 0; f < k; ++f) words[v * k + f] = static_cast<std::uint16_t>(std::lround(65535.0F * s.row(map[v])[f]));
-    return words;
+            for (std::size_t set = 0; set < k; ++set) out[v * k + set] = s.row(map[v])[static_cast<std::size_t>(s.sets.field_of_set(static_cast<int>(set)))];
+    return out;
+}
+
+std::vector<float> IsolineSession::set_gradients() const {
+    const State& s = *state_;
+    const WorkingMesh& working = s.model.working();
+    const std::vector<int>& map = working.working_of_source;
+    const auto k = static_cast<std::size_t>(s.sets.sets());
+    std::vector<float> out(3 * map.size() * k, 0);
+    for (std::size_t set = 0; set < k; ++set) { // a set at a time: all of a large model's in double would not fit
+        const Columns gradients = field_gradients(working.mesh, s.field_columns(s.sets.field_of_set(static_cast<int>(set))));
+        for (std::size_t v = 0; v < map.size(); ++v)
+            if (map[v] >= 0)
+                for (std::size_t r = 0; r < 3; ++r)
+                    out[3 * (v * k + set) + r] = static_cast<float>(gradients(map[v], static_cast<Eigen::Index>(r)) / working.scale);
+    }
+    return out;
+}
+
+std::vector<std::uint8_t> IsolineSession::still_vertices() const {
+    const State& s = *state_;
+    const std::vector<int>& map = s.model.working().working_of_source;
+    std::vector<std::uint8_t> still(map.size(), 1);
+    for (std::size_t v = 0; v < map.size(); ++v)
+        if (map[v] >= 0)
+            for (const float value : s.row(map[v])) still[v] = still[v] != 0 && value == 0;
+    return still;
 }
 
 Eigen::VectorXf IsolineSession::field(int f) const {
     return state_->by_source([&](int w) { return state_->row(w)[static_cast<std::size_t>(f)]; });
-}
-
-std::vector<float> IsolineSession::field_gradient(int f) const {
-    const State& s = *state_;
-    const Columns gradients = field_gradients(s.model.working().mesh, s.field_columns(f));
-    const std::vector<int>& map = s.model.working().working_of_source;
-    std::vector<float> out(3 * map.size(), 0.0F);
-    for (std::size_t v = 0; v < map.size(); ++v)
-        if (map[v] >= 0)
-            for (int k = 0; k < 3; ++k) out[3 * v + static_cast<std::size_t>(k)] = static_cast<float>(gradients(map[v], k) / s.model.working().scale);
-    return out;
 }
 
 Eigen::VectorXf IsolineSession::rigidity(int f) const {
@@ -412,17 +429,18 @@ Eigen::VectorXf IsolineSession::rigidity(int f) const {
     return s.by_source([&](int w) { return std::sqrt(squares[w]) / s.model.working().scale; });
 }
 
-std::vector<float> IsolineSession::control_offsets() const {
+std::vector<double> IsolineSession::control_offsets() const {
+    const WorkingMesh& working = state_->model.working();
     const Columns& d = state_->controls();
-    std::vector<float> out;
+    std::vector<double> out;
     out.reserve(static_cast<std::size_t>(3 * d.rows()));
     for (Eigen::Index c = 0; c < d.rows() / 4; ++c)
-        for (int axis = 0; axis < 3; ++axis)
-            for (int r = 0; r < 4; ++r) out.push_back(static_cast<float>(d(4 * c + r, axis) * (r == 3 ? state_->model.working().scale : 1)));
+        for (int axis = 0; axis < 3; ++axis) {
+            const Eigen::RowVector3d linear = d.col(axis).segment<3>(4 * c).transpose();
+            out.insert(out.end(), {linear[0], linear[1], linear[2], d(4 * c + 3, axis) * working.scale - linear.dot(working.centre)});
+        }
     return out;
 }
-
-const Vector3d& IsolineSession::centre() const { return state_->model.working().centre; }
 
 std::vector<Isoline> IsolineSession::isolines(int f, int count) const {
     const State& s = *state_;

@@ -72,6 +72,7 @@ public:
 
     /// One slice of the preparation. @returns true while there is more. @throws SolverFailure
     bool step();
+    /// Of the preparation; of settling's once that has begun.
     [[nodiscard]] double fraction() const;
 
     /// Moves the handles; reads no vertex of the model. Starts from where the last drag ended.
@@ -101,17 +102,19 @@ public:
     [[nodiscard]] int field_count() const;
     [[nodiscard]] int free_handle_count() const;
     [[nodiscard]] bool holds_rest() const;
-    /// φ per source vertex, row by row, 0 … 65535 for 0 … 1; rows of an unheld piece are 0. Cost: n·fields.
-    [[nodiscard]] std::vector<std::uint16_t> field_words() const;
+    /// The field of each set per source vertex, row by row; rows of an unheld piece are 0, others sum to 1 but for rounding where sets are not
+    /// mirrored. n × sets.
+    [[nodiscard]] std::vector<float> set_fields() const;
+    /// ∇ of them, three numbers a set, 1/source length. n × 3·sets.
+    [[nodiscard]] std::vector<float> set_gradients() const;
+    /// Per source vertex: 1 where no field reaches, so that it stays at rest.
+    [[nodiscard]] std::vector<std::uint8_t> still_vertices() const;
     /// φ_f per source vertex as a number.
     [[nodiscard]] Eigen::VectorXf field(int f) const;
-    /// ∇φ_f per source vertex, 1/source length, n×3, row by row.
-    [[nodiscard]] std::vector<float> field_gradient(int f) const;
     /// ψ_f of Isolines 4.1 per source vertex (1/source length); f = −1: combined.
     [[nodiscard]] Eigen::VectorXf rigidity(int f) const;
-    /// (D, t) of each control: twelve numbers, three rows of four, for x relative to `centre()`, in source units.
-    [[nodiscard]] std::vector<float> control_offsets() const;
-    [[nodiscard]] const Eigen::Vector3d& centre() const;
+    /// (D, t) of each control in source space: twelve numbers, three rows of four.
+    [[nodiscard]] std::vector<double> control_offsets() const;
     /// Isolines of field f at rest at `count` equal steps from 0 to 1, ends left out, on the surface that is worked on; source space.
     [[nodiscard]] std::vector<Isoline> isolines(int f, int count) const;
 

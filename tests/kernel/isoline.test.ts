@@ -1,0 +1,108 @@
+import { beforeAll, expect, test } from 'vitest';
+import type { KernelPort } from '../../web/kernel/contract';
+import type { IsolineOptions } from '../../web/kernel/contract/isoline';
+import { loadKernel } from '../../web/kernel/node';
+import { affine, allVertices, bar, gap, transformed, verticesWhere } from './shapes';
+
+let kernel: KernelPort;
+beforeAll(async () => {
+  kernel = await loadKernel();
+});
+
+const shape = bar(24, 5);
+const still = affine(
+  [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+  [0, 0, 0],
+);
+const turned = affine(
+  [
+    [0, -1, 0],
+    [1, 0, 0],
+    [0, 0, 1],
+  ],
+  [-4, 5, 2],
+);
+
+async function prepare(options: IsolineOptions = {}) {
+  const { id: model } = await kernel.call('openModel', shape);
+  const surface = await kernel.call('prepareIsolineModel', { model });
+  const handles = [
+    { kind: 'region', vertices: verticesWhere(shape, (x) => x < 1.5) },
+    { kind: 'region', vertices: verticesWhere(shape, (x) => x > 22.5) },
+  ] as const;
+  const prepared = await kernel.call('prepareIsolines', {
+    isolineModel: surface.id,
+    roi: allVertices(shape),
+    handles,
+    options,
+  });
+  return { model, surface, handles, isolines: prepared.id, prepared };
+}
+
+test('a common rigid motion of the handles is that of the model, even after what it was made of is released', async () => {
+  const { model, surface, isolines, prepared } = await prepare();
+  expect(surface).toMatchObject({ proxy: false, smoothed: false });
+  expect(prepared).toMatchObject({ single: true, sets: 1, basis: 'quadratic', controls: 10, unknowns: 32 });
+  await kernel.call('release', { id: model });
+  await kernel.call('release', { id: surface.id });
+  const targets = Float64Array.from([...turned, ...turned]);
+  const { positions, iterations } = await kernel.call('poseIsolines', { isolines, targets, settle: false });
+  expect(iterations).toBeGreaterThan(0);
+  expect(gap(positions, transformed(shape.positions, turned))).toBeLessThan(1e-7);
+  const settled = await kernel.call('poseIsolines', { isolines, targets, settle: true });
+  expect(gap(settled.positions, transformed(shape.positions, turned))).toBeLessThan(1e-4);
+});
+
+test('a frame says how to blend: fields and controls give the positions', async () => {
+  const { isolines } = await prepare({ basis: 'hats', controls: 20 });
+  const targets = Float64Array.from([...still, ...turned]);
+  const { offsets } = await kernel.call('dragIsolines', { isolines, targets, solves: 8 });
+  const { fields, gradients, still: resting } = await kernel.call('isolineFields', { isolines });
+  expect(offsets).toHaveLength(12 * 20);
+  expect(gradients).toHaveLength(shape.positions.length);
+  expect(resting.some((flag) => flag === 1)).toBe(false);
+  const { offsets: ended, positions } = await kernel.call('poseIsolines', {
+    isolines,
+    targets,
+    settle: false,
+  });
+  const blended = shape.positions.map((coordinate, i) => {
+    const v = Math.floor(i / 3);
+    const at = (fields[v] ?? 0) * 19;
+    const first = Math.min(Math.floor(at), 18);
+    const along = (control: number) => {
+      const row = 12 * control + 4 * (i % 3);
+      const point = [...shape.positions.subarray(3 * v, 3 * v + 3), 1];
+      return point.reduce((sum, x, k) => sum + x * (ended[row + k] ?? 0), 0);
+    };
+    return coordinate + (1 - at + first) * along(first) + (at - first) * along(first + 1);
+  });
+  expect(gap(blended, positions)).toBeLessThan(1e-4);
+});
+
+test('fields, rigidity and isolines can be looked at', async () => {
+  const { isolines, handles } = await prepare();
+  const { values } = await kernel.call('isolineField', { isolines, handle: 1, what: 'field' });
+  for (const v of handles[1].vertices) expect(values[v]).toBe(1);
+  for (const v of handles[0].vertices) expect(values[v]).toBe(0);
+  const rigidity = await kernel.call('isolineField', { isolines, handle: -1, what: 'rigidity' });
+  expect(rigidity.values.some((value) => value > 0)).toBe(true);
+  const { points, offsets } = await kernel.call('isolineCurves', { isolines, handle: 0, count: 10 });
+  expect(offsets).toHaveLength(8 + 1); // one loop around the bar each
+  expect(offsets.at(-1)).toBe(points.length / 3);
+  await expect(kernel.call('isolineField', { isolines, handle: 7, what: 'field' })).rejects.toMatchObject({
+    code: 'handle-count',
+  });
+});
+
+test('memory is stated before anything starts, and options that make no sense are refused', async () => {
+  const { id: model } = await kernel.call('openModel', shape);
+  const said = await kernel.call('estimateIsolines', { model, handles: 2 });
+  expect(said.session).toBeGreaterThan(0);
+  expect(said.settle).toBeGreaterThan(0);
+  await expect(prepare({ controls: 1 })).rejects.toMatchObject({ code: 'bad-option' });
+});
