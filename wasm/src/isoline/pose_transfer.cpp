@@ -35,6 +35,8 @@ constexpr double k_anchor = 1e-4;
 /// A handle this far (D = 1) from where the source's went is moved a quarter of the way there, a nearer one almost all of it: directions add up
 /// errors along limbs (feet of people end 0.03 off), but ten times as much is a difference in build or stretch, and to be left.
 constexpr double k_plausible = 0.1;
+/// Solves in which triangles that only turn may keep the stretch they came to.
+constexpr int k_stretch_rounds = 2;
 /// Cotangents at most this, as in cotangent_laplacian.
 constexpr double k_height_floor = 1e-4;
 
@@ -288,12 +290,13 @@ struct PoseTransfer::State {
         return read;
     }
 
-    [[nodiscard]] Points right_side(const Pose& pose, const TransferOptions& options) const {
+    /// Linear maps that the target's triangles should have; the identity where no field reaches.
+    [[nodiscard]] std::vector<Matrix3d> wanted(const Pose& pose, const TransferOptions& options) const {
         const TriangleMesh& mesh = target.working.mesh;
         const Eigen::Matrix<double, Eigen::Dynamic, 9> maps = fitted(pose.gradients);
         const TransferOptions whole{options.strength, options.keep_stretch || same};
         std::vector<ControlSets::Entry> entries;
-        Points right = Points::Zero(factor->size(), 3);
+        std::vector<Matrix3d> found(static_cast<std::size_t>(mesh.triangle_count()), Matrix3d::Identity());
         for (int t = 0; t < mesh.triangle_count(); ++t) {
             if (unknown[mesh.triangles(t, 0)] < 0 || !target.entries(sets, t, entries)) continue;
             Matrix3d B = Matrix3d::Identity();
@@ -303,8 +306,19 @@ struct PoseTransfer::State {
                     const Eigen::Matrix<double, 9, 1> flat = maps.row(e.control).transpose();
                     B += e.weight * Eigen::Map<const Matrix3d>(flat.data());
                 }
-            const Matrix3d offset = powered(B, whole) - Matrix3d::Identity();
-            for (int k = 0; k < 3; ++k) { // Eq 12, each edge by its cotangent
+            found[static_cast<std::size_t>(t)] = powered(B, whole);
+        }
+        return found;
+    }
+
+    /// Right-hand side of Eq 12 for these maps, and of the places.
+    [[nodiscard]] Points right_side(const Pose& pose, const std::vector<Matrix3d>& maps, const TransferOptions& options) const {
+        const TriangleMesh& mesh = target.working.mesh;
+        Points right = Points::Zero(factor->size(), 3);
+        for (int t = 0; t < mesh.triangle_count(); ++t) {
+            if (unknown[mesh.triangles(t, 0)] < 0) continue;
+            const Matrix3d offset = maps[static_cast<std::size_t>(t)] - Matrix3d::Identity();
+            for (int k = 0; k < 3; ++k) { // each edge by its cotangent
                 const int i = mesh.triangles(t, (k + 1) % 3), j = mesh.triangles(t, (k + 2) % 3);
                 const Eigen::RowVector3d along = cotangents(t, k) * (mesh.points.row(i) - mesh.points.row(j)) * offset.transpose();
                 right.row(unknown[i]) += along;
@@ -320,6 +334,17 @@ struct PoseTransfer::State {
                 right.row(unknown[v]) += k_anchor / sizes[h] * there;
             }
         return right;
+    }
+
+    /// Lets triangles keep the stretch that they came to, in the frame of their own rotation: rotations alone fit no bent surface, and
+    /// what does not fit turns back at the ends of a bend.
+    void allow_stretch(const Points& u, std::vector<Matrix3d>& maps) const {
+        const TriangleMesh& mesh = target.working.mesh;
+        Points moved = mesh.points;
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+            if (unknown[v] >= 0) moved.row(v) += u.row(unknown[v]);
+        const std::vector<Matrix3d> came = triangle_gradients(mesh, moved);
+        for (std::size_t t = 0; t < maps.size(); ++t) maps[t] *= nearest_rotation(came[t]).transpose() * came[t];
     }
 
     /// Where the target is, D = 1, handles drawn to their places along their fields. @param u  displacements of the unknowns
@@ -382,11 +407,23 @@ std::vector<Points> PoseTransfer::transfer(std::span<const Points> poses, const 
         throw InvalidInput("bad-option", "The strength is " + std::to_string(options.strength) + "; it must be between -10 and 10.");
     Columns u(s.factor->size(), 3 * static_cast<Eigen::Index>(poses.size()));
     std::vector<State::Pose> read;
-    for (std::size_t p = 0; p < poses.size(); ++p) {
-        read.push_back(s.read(poses[p], options));
-        u.middleCols<3>(3 * static_cast<Eigen::Index>(p)) = s.right_side(read.back(), options);
+    std::vector<std::vector<Matrix3d>> maps;
+    const int rounds = s.same || options.keep_stretch ? 1 : 1 + k_stretch_rounds;
+    for (const Points& pose : poses) {
+        read.push_back(s.read(pose, options));
+        maps.push_back(s.wanted(read.back(), options));
     }
-    if (u.size() > 0) s.factor->solve(u);
+    std::vector<std::vector<Matrix3d>> rounded = maps;
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t p = 0; p < poses.size(); ++p) {
+            if (round > 0) {
+                rounded[p] = maps[p];
+                s.allow_stretch(u.middleCols<3>(3 * static_cast<Eigen::Index>(p)), rounded[p]);
+            }
+            u.middleCols<3>(3 * static_cast<Eigen::Index>(p)) = s.right_side(read[p], rounded[p], options);
+        }
+        if (u.size() > 0) s.factor->solve(u);
+    }
     std::vector<Points> results;
     const WorkingMesh& working = s.target.working;
     for (std::size_t p = 0; p < poses.size(); ++p) {
