@@ -6,6 +6,7 @@ import { deformExamples, firstRecipe } from './gallery/deform.mjs';
 import { hairExamples } from './gallery/hair.mjs';
 import { mergeExamples } from './gallery/merge.mjs';
 import { folder, modelOf } from './gallery/models.mjs';
+import { transferExamples } from './gallery/transfer.mjs';
 
 const OWN = 'Own work, CC0 1.0';
 const HUMAN = 'MakeHuman data, CC0 1.0';
@@ -16,6 +17,8 @@ const models = [
   ['octopus', 'Octopus', OWN],
   ['horse', 'Horse', OWN],
   ['cow', 'Cow', OWN],
+  ['dog', 'Dog', OWN],
+  ['squid', 'Squid', OWN],
   ['bar', 'Bar', OWN],
   ['wings', 'Wings', OWN],
   ['key', 'Key', OWN],
@@ -28,7 +31,7 @@ const models = [
   ['head-elf', 'Head, elf', HUMAN],
 ];
 
-const examples = [...deformExamples(), ...mergeExamples(), ...hairExamples()];
+const examples = [...deformExamples(), ...mergeExamples(), ...transferExamples(), ...hairExamples()];
 
 function write(file, value, indent) {
   const text = `${JSON.stringify(value, null, indent)}\n`;
@@ -52,7 +55,7 @@ const index = {
     title,
     model,
     file: `recipes/${name}.json`,
-    workspace: made.steps[0].type,
+    workspace: made.steps.at(-1).type,
   })),
 };
 write('index.json', index, 2);

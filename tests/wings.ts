@@ -71,6 +71,9 @@ const SHARED = [
   /^web\/kernel\/[^/]+\.ts$/,
 ];
 
+/** What the browser calls its own things, whatever wings are called. */
+const PLATFORM = /\bdataTransfer\b/g;
+
 /** @returns the lines of a shared file that say the name of a wing */
 export function namings(file: string, source: string, wings: readonly string[]): string[] {
   if (REGISTRIES.includes(file) || !SHARED.some((pattern) => pattern.test(file))) return [];
@@ -80,7 +83,7 @@ export function namings(file: string, source: string, wings: readonly string[]):
   const names = new RegExp(words.join('|'));
   return source
     .split('\n')
-    .filter((line) => names.test(line))
+    .filter((line) => names.test(line.replace(PLATFORM, '')))
     .map((line) => `${file}: ${line.trim()}`);
 }
 

@@ -1,45 +1,12 @@
 // The gallery's bent models: what may move and what is taken hold of is picked by geometry, as a hand would paint it.
 
+import { deformStep, identity, pick, region, turn } from './handles.mjs';
 import { modelOf } from './models.mjs';
-import { setOf } from './vertex-set.mjs';
-
-/** The vertices for which `inside(x, y, z)` holds. */
-const pick = (points, inside) => setOf(points.flatMap((point, v) => (inside(...point) ? [v] : [])));
-
-const identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-
-/** Turn by `degrees` about an axis through `pivot` (Rodrigues), then move. Column-major. */
-function turn(axis, degrees, pivot, move = [0, 0, 0]) {
-  const length = Math.hypot(...axis);
-  const [x, y, z] = axis.map((a) => a / length);
-  const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-  const k = 1 - c;
-  const columns = [
-    [c + x * x * k, y * x * k + z * s, z * x * k - y * s],
-    [x * y * k - z * s, c + y * y * k, z * y * k + x * s],
-    [x * z * k + y * s, y * z * k - x * s, c + z * z * k],
-  ];
-  const turned = [0, 1, 2].map((i) => columns.reduce((sum, column, j) => sum + column[i] * pivot[j], 0));
-  const to = [0, 1, 2].map((i) => pivot[i] - turned[i] + move[i]);
-  return [...columns.flatMap((column) => [...column, 0]), ...to, 1].map((n) => Math.round(n * 1e6) / 1e6 + 0);
-}
-
-const region = (name, vertices, matrix = identity) => ({ kind: 'region', vertices, matrix, name });
 
 const recipe = (model, roi, handles) => ({
   lissom: 1,
   models: { [model]: { builtin: model } },
-  steps: [
-    {
-      id: 'deform 1',
-      type: 'deform',
-      model,
-      roi,
-      handles,
-      method: 'implicit',
-      options: { removeShear: true, scaleDetails: false, iterations: 1, coherenceRing: 1 },
-    },
-  ],
+  steps: [deformStep('deform 1', model, roi, handles)],
   outputs: [],
 });
 

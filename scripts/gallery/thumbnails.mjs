@@ -17,10 +17,11 @@ mkdirSync(new URL('thumbnails/', gallery), { recursive: true });
 const wanted = process.argv.slice(2);
 const all = [...examples, ...models].filter(({ name }) => wanted.length === 0 || wanted.includes(name));
 const isHair = ({ name }) => name.startsWith('hair-');
-await pictures(
-  all.filter((entry) => !isHair(entry)),
-  false,
-);
+/** Shown in one half of the page: that half is as wide as the whole is for the others. */
+const isHalf = ({ name }) => name.startsWith('transfer-');
+const rest = all.filter((entry) => !isHair(entry) && !isHalf(entry));
+await pictures(rest, false);
+await pictures(all.filter(isHalf), false, { ...PAGE, width: PAGE.width + 2 * SIZE.width });
 await pictures(all.filter(isHair), true);
 
 /** In the page: draws so many of the strands, 0 to 1. */
@@ -30,9 +31,9 @@ async function strandShare(share) {
 }
 
 /** @param ofHair  thousands of strands: seen from the front, and drawn whole for the picture only */
-async function pictures(entries, ofHair) {
+async function pictures(entries, ofHair, size = PAGE) {
   if (entries.length === 0) return;
-  const { page, close } = await openStudio(PAGE, { quick: true });
+  const { page, close } = await openStudio(size, { quick: true });
   page.setDefaultTimeout(300_000);
   try {
     for (const { name } of entries) {

@@ -43,7 +43,7 @@ test('a hundred changes of workspace leave no effect and no layer behind', async
   await tab.openCube();
   await tab.addHandle([0], 'Tip');
   const change = async () => {
-    for (const id of ['merge', 'deform']) {
+    for (const id of ['merge', 'transfer', 'deform']) {
       await tab.app.commands.run(`workspace.${id}`);
       await tab.app.evaluator.settled();
     }

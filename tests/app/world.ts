@@ -9,6 +9,8 @@ import type { HairWing } from '../../web/app/hair/wing';
 import type { MergeActions } from '../../web/app/merge/actions';
 import type { MergeWing } from '../../web/app/merge/wing';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
+import type { TransferActions } from '../../web/app/transfer/actions';
+import type { TransferWing } from '../../web/app/transfer/wing';
 import type { Args, KernelId, KernelPort, Method, Result } from '../../web/kernel/contract';
 import type { WorkspaceId } from '../../web/recipe/recipe';
 import type { LayerKind } from '../../web/view/layer';
@@ -46,6 +48,7 @@ export class FakeKernel implements KernelPort {
   solveSeconds = 0.001;
   #models: Float64Array[] = [];
   #sessions: { rest: Float64Array; moved: Set<number> }[] = [];
+  #paired: Args<'prepareTransfer'>[] = [];
 
   async call<M extends Method>(
     method: M,
@@ -94,6 +97,26 @@ export class FakeKernel implements KernelPort {
         warnings: [],
         seconds: { solve: this.solveSeconds, rotate: 0, reconstruct: 0 },
       };
+    },
+    prepareTransfer: (args) => ({
+      id: this.#paired.push(args) as KernelId,
+      unknowns: 40,
+      warnings: [],
+      seconds: { fields: 0.001, reduce: 0.002 },
+      peakBytes: 1,
+    }),
+    // A counterpart moves as the first vertex of its handle did.
+    transfer: ({ transfer, pose, strength }) => {
+      const { source, target, sourceHandles, targetHandles } = this.#paired[transfer - 1]!;
+      const rest = this.#models[source - 1]!;
+      const positions = this.#models[target - 1]!.slice();
+      for (const [i, vertices] of targetHandles.entries())
+        for (const v of vertices)
+          for (let axis = 0; axis < 3; axis++) {
+            const k = 3 * sourceHandles[i]![0]! + axis;
+            positions[3 * v + axis]! += strength * (pose[k]! - rest[k]!);
+          }
+      return { positions, iterations: 1, warnings: [], seconds: { perIteration: 0.001, solve: 0.001 } };
     },
     measure: ({ positions }) => ({
       volumeRatio: 1,
@@ -282,6 +305,14 @@ export class Tab {
     return this.#wing<MergeWing>('merge').state;
   }
 
+  get transfer(): TransferActions {
+    return this.#wing<TransferWing>('transfer').actions;
+  }
+
+  get transferState(): TransferWing['state'] {
+    return this.#wing<TransferWing>('transfer').state;
+  }
+
   #wing<W>(id: WorkspaceId): W {
     return this.app.wings.get(id) as W;
   }
@@ -337,7 +368,7 @@ export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles
     port: blind(layers[id] ?? {}) as P,
     unmount: () => layers[id]?.unmounted?.(),
   });
-  return blind({ camera: STANDING, mount, ...parts }) as ViewportPort;
+  return blind({ camera: STANDING, mount, onDraw: () => () => {}, ...parts }) as ViewportPort;
 };
 
 /** Has what it is given; for the rest it takes every call and answers nothing. */

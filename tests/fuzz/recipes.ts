@@ -114,7 +114,25 @@ export const HAIR = {
   outputs: [{ step: 'hair', file: 'o.hair' }],
 };
 
-export const EXAMPLES: readonly object[] = [DEFORM, MERGE, HAIR];
+export const TRANSFER = {
+  lissom: 1,
+  models: { m: { builtin: 'bar' }, t: { builtin: 'block' } },
+  steps: [
+    DEFORM.steps[0],
+    {
+      id: 't1',
+      type: 'transfer',
+      model: 't',
+      like: 'd',
+      handles: [{ ranges: [[0, 11]] }, [48, 49, 50], [30]],
+      strength: 0.8,
+      keepStretch: true,
+    },
+  ],
+  outputs: [{ step: 't1', file: 'o.ply' }],
+};
+
+export const EXAMPLES: readonly object[] = [DEFORM, MERGE, HAIR, TRANSFER];
 
 function ring(count: number): number[] {
   return Array.from({ length: count }, (_, i) => i);

@@ -51,7 +51,7 @@ test('typed arrays of a result are moved, not copied', async () => {
   expect(result.positions.byteLength).toBe(0);
 });
 
-test('arguments named for transfer are moved, the others stay', async () => {
+test('buffers given away with the arguments are moved, the others stay', async () => {
   const { client } = bridge({
     measure: ({ positions }) => ({ stretch: Float32Array.from(positions) }) as never,
   });
@@ -59,7 +59,7 @@ test('arguments named for transfer are moved, the others stay', async () => {
   const kept = Float64Array.of(4);
   const model = 1 as KernelId;
   await client.call('measure', { model, positions: kept });
-  const answer = await client.call('measure', { model, positions: given }, { transfer: [given.buffer] });
+  const answer = await client.call('measure', { model, positions: given }, { moved: [given.buffer] });
   expect([...answer.stretch]).toEqual([1, 2, 3]);
   expect([given.length, kept.length]).toEqual([0, 1]);
 });

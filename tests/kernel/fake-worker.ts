@@ -15,8 +15,8 @@ export class FakeWorker implements WorkerLike {
     serve(this.#channel.port2 as Port, load);
   }
 
-  postMessage(message: unknown, transfer: Transferable[]): void {
-    this.#channel.port1.postMessage(message, transfer as never);
+  postMessage(message: unknown, moved: Transferable[]): void {
+    this.#channel.port1.postMessage(message, moved as never);
   }
 
   terminate(): void {

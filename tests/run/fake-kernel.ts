@@ -1,4 +1,5 @@
-// A kernel of few lines: handles move their own vertices, the rest stays. It keeps a record of what was asked.
+// A kernel of few lines: handles move their own vertices, the rest stays; a pose moves a handle of another model as it
+// moved the first vertex of its own. It keeps a record of what was asked.
 
 import { LissomError } from '../../web/core/errors';
 import type { Args, CallOptions, KernelPort, Method, Result } from '../../web/kernel/contract';
@@ -11,6 +12,11 @@ interface Prepared {
   readonly handles: Args<'prepareDeform'>['handles'];
 }
 
+interface Paired extends Omit<Args<'prepareTransfer'>, 'source' | 'target'> {
+  readonly source: Opened;
+  readonly target: Opened;
+}
+
 const IDS_PER_EPOCH = 1000;
 
 export class FakeKernel implements KernelPort {
@@ -21,6 +27,7 @@ export class FakeKernel implements KernelPort {
   before: (method: Method, options: CallOptions) => void | Promise<void> = () => {};
   readonly #models = new Map<number, Opened>();
   readonly #sessions = new Map<number, Prepared>();
+  readonly #paired = new Map<number, Paired>();
   #nextId = 1;
 
   /** As when the worker is replaced: everything it held is gone. */
@@ -28,11 +35,12 @@ export class FakeKernel implements KernelPort {
     this.epoch++;
     this.#models.clear();
     this.#sessions.clear();
+    this.#paired.clear();
     this.#nextId = this.epoch * IDS_PER_EPOCH + 1;
   }
 
   get held(): { models: number; sessions: number } {
-    return { models: this.#models.size, sessions: this.#sessions.size };
+    return { models: this.#models.size, sessions: this.#sessions.size + this.#paired.size };
   }
 
   /** How often a method was called since the last look at it. */
@@ -58,6 +66,10 @@ export class FakeKernel implements KernelPort {
         return this.#prepare(args as never);
       case 'deform':
         return this.#deform(args as never);
+      case 'prepareTransfer':
+        return this.#pair(args as never);
+      case 'transfer':
+        return this.#transfer(args as never);
       case 'measure':
         return {
           volumeRatio: 1,
@@ -69,6 +81,7 @@ export class FakeKernel implements KernelPort {
       case 'release':
         this.#models.delete(args.id as number);
         this.#sessions.delete(args.id as number);
+        this.#paired.delete(args.id as number);
     }
     return undefined;
   }
@@ -102,6 +115,25 @@ export class FakeKernel implements KernelPort {
       for (const vertex of vertices)
         for (let axis = 0; axis < 3; axis++) positions[3 * vertex + axis]! += targets[16 * at + 12 + axis]!;
     return { positions, iterations: 1, warnings: [], seconds: { solve: 0.3, rotate: 0.4, reconstruct: 0.5 } };
+  }
+
+  #pair({ source, target, ...handles }: Args<'prepareTransfer'>): unknown {
+    const models = { source: found(this.#models, source), target: found(this.#models, target) };
+    const id = this.#nextId++;
+    this.#paired.set(id, { ...models, ...handles });
+    return { id, unknowns: 40, warnings: [], seconds: { fields: 0.1, reduce: 0.2 }, peakBytes: 99 };
+  }
+
+  #transfer({ transfer, pose, strength }: Args<'transfer'>): unknown {
+    const { source, target, sourceHandles, targetHandles } = found(this.#paired, transfer);
+    const positions = target.positions.slice();
+    for (const [at, vertices] of targetHandles.entries())
+      for (const vertex of vertices)
+        for (let axis = 0; axis < 3; axis++) {
+          const k = 3 * sourceHandles[at]![0]! + axis;
+          positions[3 * vertex + axis]! += strength * (pose[k]! - source.positions[k]!);
+        }
+    return { positions, iterations: 1, warnings: [], seconds: { perIteration: 0.3, solve: 0.4 } };
   }
 }
 

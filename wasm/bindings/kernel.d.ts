@@ -6,9 +6,16 @@ import type { HairModule } from './hair';
 import type { IsolineModule } from './isoline';
 import type { MergeModule } from './merge';
 import type { ModelModule } from './model';
+import type { TransferModule } from './transfer';
 
 /** One line per wing: the registry of the bindings. */
-export interface KernelModule extends ModelModule, DeformModule, IsolineModule, MergeModule, HairModule {}
+export interface KernelModule
+  extends ModelModule,
+    DeformModule,
+    IsolineModule,
+    MergeModule,
+    HairModule,
+    TransferModule {}
 
 /** What kernel.mjs takes: how to make an instance once the imports are known. */
 export interface KernelSettings {

@@ -17,6 +17,7 @@ export const wings = {
   deform: { icon: 'move', key: 'Shift+1', load: () => import('./deform/wing') },
   hair: { icon: 'spline', key: 'Shift+2', looks: 'strands', load: () => import('./hair/wing') },
   merge: { icon: 'combine', key: 'Shift+3', load: () => import('./merge/wing') },
+  transfer: { icon: 'person-standing', key: 'Shift+4', load: () => import('./transfer/wing') },
 } as const satisfies Readonly<Record<WorkspaceId, Entry>>;
 
 /** In the order of the buttons. */

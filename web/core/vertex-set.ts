@@ -23,6 +23,10 @@ export function sizeOf(set: VertexSet, count: number): number {
   return 'ranges' in set ? total(merged(set.ranges, count)) : toIndices(set, count).length;
 }
 
+/** Whether a set names nothing, told without looking through it. */
+export const isEmpty = (set: VertexSet): boolean =>
+  set !== 'all' && ('ranges' in set ? set.ranges.length === 0 : set.length === 0);
+
 /** The shortest recipe form of a set of indices (any order, repeats allowed) over `count` vertices. */
 export function fromIndices(indices: Iterable<number>, count: number): OwnVertexSet {
   const sorted = unique([...indices]);

@@ -10,7 +10,7 @@ const SILENCE = 5000;
 
 /** What a Worker and a test's stand-in have in common. */
 export interface WorkerLike {
-  postMessage(message: Request, transfer: Transferable[]): void;
+  postMessage(message: Request, moved: Transferable[]): void;
   terminate(): void;
   onmessage: ((event: MessageEvent<Reply>) => void) | null;
   onmessageerror: ((event: MessageEvent) => void) | null;
@@ -52,7 +52,7 @@ export class KernelClient implements KernelPort {
   }
 
   call<M extends Method>(method: M, args: Args<M>, options: CallOptions = {}): Promise<Result<M>> {
-    const { signal, onProgress, transfer = [] } = options;
+    const { signal, onProgress, moved = [] } = options;
     if (signal?.aborted) return Promise.reject(cancelled());
     if (this.#disposed) return Promise.reject(workerRestarted());
     const worker = this.#worker ?? this.#start();
@@ -67,7 +67,7 @@ export class KernelClient implements KernelPort {
       };
       this.#pending.set(id, { resolve, reject, onProgress, detach, begun: false, cancelled: false });
       try {
-        worker.postMessage({ id, method, args } as Request, transfer);
+        worker.postMessage({ id, method, args } as Request, moved);
       } catch (error) {
         this.#take(id);
         reject(new LissomError('kernel-crash', `The request could not be sent (${error}).`, 'crash'));

@@ -6,11 +6,18 @@ import type { HairKernel } from './contract/hair';
 import type { IsolineKernel } from './contract/isoline';
 import type { MergeKernel } from './contract/merge';
 import type { KernelId, ModelKernel } from './contract/model';
+import type { TransferKernel } from './contract/transfer';
 
 export type { KernelId };
 
 /** One line per wing: the registry of the bridge. */
-export interface Kernel extends ModelKernel, DeformKernel, IsolineKernel, MergeKernel, HairKernel {}
+export interface Kernel
+  extends ModelKernel,
+    DeformKernel,
+    IsolineKernel,
+    MergeKernel,
+    HairKernel,
+    TransferKernel {}
 
 export type Method = keyof Kernel;
 export type Args<M extends Method> = Parameters<Kernel[M]>[0];
@@ -21,7 +28,7 @@ export interface CallOptions {
   /** In [0, 1], at most every 50 ms. */
   readonly onProgress?: (fraction: number) => void;
   /** Buffers of the arguments that may be moved instead of copied; they are empty afterwards. */
-  readonly transfer?: Transferable[];
+  readonly moved?: Transferable[];
 }
 
 /**

@@ -30,6 +30,6 @@ export type Reply =
 
 /** What a worker's global scope and a MessagePort have in common. */
 export interface Port {
-  postMessage(message: unknown, transfer: Transferable[]): void;
+  postMessage(message: unknown, moved: Transferable[]): void;
   onmessage: ((event: MessageEvent) => void) | null;
 }

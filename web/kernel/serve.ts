@@ -23,7 +23,7 @@ export function serve(port: Port, load: (epoch: number) => Promise<Handlers>): v
   let handlers: Handlers | undefined;
   let pumping = false;
 
-  const reply = (message: Reply, transfer: Transferable[] = []) => port.postMessage(message, transfer);
+  const reply = (message: Reply, moved: Transferable[] = []) => port.postMessage(message, moved);
 
   async function pump(): Promise<void> {
     if (pumping || !handlers) return;

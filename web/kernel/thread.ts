@@ -33,8 +33,8 @@ class Thread implements WorkerLike {
     this.#worker.on('exit', (code) => this.#failed(`it ended with code ${code}`));
   }
 
-  postMessage(message: Request, transfer: Transferable[]): void {
-    this.#worker.postMessage(message, transfer as ArrayBuffer[]);
+  postMessage(message: Request, moved: Transferable[]): void {
+    this.#worker.postMessage(message, moved as ArrayBuffer[]);
   }
 
   terminate(): void {

@@ -8,6 +8,7 @@ import { type StepRow, stepType } from './step-row';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
 import { mergeStep } from './steps/merge';
+import { transferStep } from './steps/transfer';
 
 /** The version that is written. `migrations` knows how to read the earlier ones. */
 export const RECIPE_VERSION = 1;
@@ -17,6 +18,7 @@ export const STEP_TYPES = {
   deform: stepType(deformStep, { main: 'model', writes: 'mesh', workspace: 'deform' }),
   merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
+  transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */
@@ -64,6 +66,7 @@ export type ModelRef = v.InferOutput<typeof modelRef>;
 export type { DeformHandle, DeformStep } from './steps/deform';
 export type { HairStep } from './steps/hair';
 export type { MergeStep } from './steps/merge';
+export type { TransferStep } from './steps/transfer';
 
 export const stepRow = (
   type: StepType,

@@ -13,7 +13,7 @@ import { modelPlace, type Plan, plan, stepPlace } from './plan';
 import { mainOf, resultOf, type StepResult } from './results';
 import { KernelSession } from './session';
 import { type Answer, capacities, type Question, type QuestionArgs, runnerOf } from './steps/all';
-import type { InputShape, StepOutcome } from './steps/step-runner';
+import type { InputShape, Origin, StepContext, StepOutcome } from './steps/step-runner';
 import { type ModelResult, type ModelSource, placed } from './types';
 
 export interface RunOptions {
@@ -47,7 +47,11 @@ interface Stage {
   readonly model: Model;
   readonly key: string;
   readonly place: string;
+  readonly origin?: Origin;
 }
+
+/** Opened models, and where they come from. */
+type Given = Pick<StepContext, 'inputs' | 'origins'>;
 
 export class Runner {
   readonly #source: ModelSource;
@@ -80,7 +84,7 @@ export class Runner {
   /** The opened model under a name: one of the recipe's models, or what a step leaves. */
   async opened(recipe: Recipe, name: string, { signal }: AskOptions = {}): Promise<ModelResult> {
     const [only] = await this.#inTurn(signal, () =>
-      this.#with(recipe, [name], signal, async (opened) => opened),
+      this.#with(recipe, [name], signal, async ({ inputs }) => inputs),
     );
     return only!;
   }
@@ -88,7 +92,7 @@ export class Runner {
   /** The opened models that a step starts from, in the order of its references; the step itself is not run. */
   inputs(recipe: Recipe, id: string, { signal }: AskOptions = {}): Promise<readonly ModelResult[]> {
     return this.#inTurn(signal, () =>
-      this.#with(recipe, inputNames(recipe, id), signal, async (opened) => opened),
+      this.#with(recipe, inputNames(recipe, id), signal, async ({ inputs }) => inputs),
     );
   }
 
@@ -105,12 +109,12 @@ export class Runner {
     { signal, onProgress = () => {} }: AskOptions = {},
   ): Promise<Answer<Q>> {
     return this.#inTurn(signal, () =>
-      this.#with(recipe, inputNames(recipe, id), signal, (inputs) => {
+      this.#with(recipe, inputNames(recipe, id), signal, (given) => {
         const index = recipe.steps.findIndex((step) => step.id === id);
         const step = recipe.steps[index]!;
         const answer = runnerOf(step).questions?.[question];
         if (!answer) throw notFound(`The ${step.type} step ${JSON.stringify(id)} knows no ${question}.`);
-        const context = { inputs, kernel: this.#session, settle: true, signal, onProgress };
+        const context = { ...given, kernel: this.#session, settle: true, signal, onProgress };
         return placed(
           stepPlace(index, step),
           () => answer(step, context, args as never) as Promise<Answer<Q>>,
@@ -124,7 +128,7 @@ export class Runner {
     recipe: Recipe,
     names: readonly string[],
     signal: AbortSignal | undefined,
-    work: (opened: readonly ModelResult[]) => Promise<T>,
+    work: (given: Given) => Promise<T>,
   ): Promise<T> {
     const planned = await plan(recipe, this.#source, names);
     return this.#persistently(signal, async () => {
@@ -145,21 +149,23 @@ export class Runner {
     for (const [at, { step, index }] of steps.entries()) {
       if (signal?.aborted) throw cancelled();
       const names = referencesOf(step).map(({ name }) => name);
-      const inputs = await this.#open(stages, names, signal);
+      const given = await this.#open(stages, names, signal);
+      const { inputs } = given;
       const onProgress = (fraction: number) => options.onProgress?.((at + fraction) / steps.length, step);
-      const context = { inputs, kernel: this.#session, settle, signal, onProgress };
+      const context = { ...given, kernel: this.#session, settle, signal, onProgress };
       const place = stepPlace(index, step);
-      const key = this.#resultKey(step, inputs, settle);
+      const key = this.#resultKey(step, given, settle);
       const runner = runnerOf(step);
       const outcome = await placed(place, () =>
         this.#outcome(key, async () => {
           // A plan cannot check what follows a step that makes a new surface: only now are its vertices counted.
-          runner.check(step, pathText(['steps', index]), shapesOf(step, inputs));
+          runner.check(step, pathText(['steps', index]), shapesOf(step, given));
           return runner.run(step, context);
         }),
       );
       if (measure && at === steps.length - 1) await this.#measure(outcome, mainOf(step, inputs), signal);
-      for (const [name, stage] of stagesOf(step, outcome, { key, place })) stages.set(name, stage);
+      for (const [name, stage] of stagesOf(step, outcome, { key, place, origin: { step, inputs } }))
+        stages.set(name, stage);
       const finished = runner.finish?.(step, outcome) ?? outcome;
       results.set(step.id, resultOf(recipe, step, inputs, finished, outcome.measured));
       onProgress(1);
@@ -182,11 +188,12 @@ export class Runner {
     stages: ReadonlyMap<string, Stage>,
     names: readonly string[],
     signal: AbortSignal | undefined,
-  ): Promise<readonly ModelResult[]> {
-    const opened: ModelResult[] = [];
-    for (const { model, key, place } of names.map((name) => stages.get(name)!))
-      opened.push(await placed(place, () => this.#session.open(model, signal, key)));
-    return opened;
+  ): Promise<Given> {
+    const inputs: ModelResult[] = [];
+    const named = names.map((name) => stages.get(name)!);
+    for (const { model, key, place } of named)
+      inputs.push(await placed(place, () => this.#session.open(model, signal, key)));
+    return { inputs, origins: named.map(({ origin }) => origin) };
   }
 
   async #outcome(key: string, run: () => Promise<StepOutcome>): Promise<Cached> {
@@ -206,9 +213,13 @@ export class Runner {
   }
 
   /** Models count by identity here: equal geometry may come with other names or colours, which results carry on. */
-  #resultKey(step: Step, inputs: readonly ModelResult[], settle: boolean): string {
+  #resultKey(step: Step, { inputs, origins }: Given, settle: boolean): string {
     const models = inputs.map(({ model, key }) => [key, this.#serial(model)]);
-    return hashValue({ type: step.type, settle, models, content: runnerOf(step).content(step) });
+    const content = runnerOf(step).content(
+      step,
+      origins.map((origin) => origin?.step),
+    );
+    return hashValue({ type: step.type, settle, models, content });
   }
 
   #serial(model: Model): number {
@@ -242,8 +253,12 @@ export class Runner {
 
 const notFound = (message: string): LissomError => new LissomError('step-not-found', message);
 
-const shapesOf = (step: Step, inputs: readonly ModelResult[]): InputShape[] =>
-  referencesOf(step).map(({ name }, at) => ({ name, vertices: vertexCount(inputs[at]!.model) }));
+const shapesOf = (step: Step, { inputs, origins }: Given): InputShape[] =>
+  referencesOf(step).map(({ name }, at) => ({
+    name,
+    vertices: vertexCount(inputs[at]!.model),
+    maker: origins[at]?.step,
+  }));
 
 function inputNames(recipe: Recipe, id: string): readonly string[] {
   const step = recipe.steps.find((each) => each.id === id);
@@ -259,9 +274,12 @@ const bytesOf = ({ model, models = { model }, strands }: Cached): number =>
 function* stagesOf(
   step: Step,
   { model, models }: StepOutcome,
-  { key, place }: Omit<Stage, 'model'>,
+  { key, ...rest }: Omit<Stage, 'model'>,
 ): Iterable<[string, Stage]> {
-  yield [step.id, { model, key, place }];
+  yield [step.id, { model, key, ...rest }];
   for (const name of models ? producedNames(step) : [])
-    yield [name, { model: models![outputName(step, name)]!, key: `${key}/${outputName(step, name)}`, place }];
+    yield [
+      name,
+      { model: models![outputName(step, name)]!, key: `${key}/${outputName(step, name)}`, ...rest },
+    ];
 }

@@ -67,6 +67,7 @@ function checkIndices(steps: Plan['steps'], models: ReadonlyMap<string, Model>):
     const runner = runnerOf(step);
     runner.check(step, pathText(['steps', index]), inputs);
     const vertices = runner.vertexCount(inputs);
-    if (vertices !== undefined) for (const name of producedNames(step)) shapes.set(name, { name, vertices });
+    if (vertices !== undefined)
+      for (const name of producedNames(step)) shapes.set(name, { name, vertices, maker: step });
   }
 }

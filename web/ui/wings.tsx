@@ -26,6 +26,7 @@ const faces = {
   deform: () => import('./deform/face'),
   hair: () => import('./hair/face'),
   merge: () => import('./merge/face'),
+  transfer: () => import('./transfer/face'),
 } satisfies Readonly<Record<WorkspaceId, () => Promise<{ readonly face: Face }>>>;
 
 const loaded = signal<Partial<Readonly<Record<WorkspaceId, Face>>>>({});

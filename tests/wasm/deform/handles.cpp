@@ -126,16 +126,18 @@ TriangleMesh shared_model(const std::string& name) {
     TriangleMesh mesh;
     if (!file.is_open()) return mesh;
     std::string line;
-    int vertices = 0, faces = 0;
+    int vertices = 0, faces = 0, beside = 0; // bytes of a vertex beside its position
     while (std::getline(file, line) && line != "end_header") {
         if (line.rfind("element vertex ", 0) == 0) vertices = std::stoi(line.substr(15));
         if (line.rfind("element face ", 0) == 0) faces = std::stoi(line.substr(13));
+        if (line.rfind("property uchar ", 0) == 0 && faces == 0) ++beside;
     }
     mesh.points.resize(vertices, 3);
     mesh.triangles.resize(faces, 3);
     for (int v = 0; v < vertices; ++v) {
         float p[3];
         file.read(reinterpret_cast<char*>(p), sizeof p);
+        file.ignore(beside);
         mesh.points.row(v) << p[0], p[1], p[2];
     }
     for (int f = 0; f < faces; ++f) {

@@ -69,7 +69,8 @@ struct Held {
 [[nodiscard]] double edge_rms(const TriangleMesh& rest, const Points& moved);
 [[nodiscard]] double volume_ratio(const TriangleMesh& rest, const Points& moved);
 
-/// One of the shared models, binary little-endian PLY of float positions and triangles; no vertices where there is none.
+/// One of the shared models, binary little-endian PLY of float positions (and flags) and triangles; no vertices where there
+/// is none.
 /// @param name  below shared/data
 [[nodiscard]] TriangleMesh shared_model(const std::string& name);
 

@@ -1,8 +1,7 @@
 // The deform workspace on screen: regions, handles, gizmo and heat map, one effect per thing drawn, and the tools.
 
 import { effect } from '@preact/signals';
-import { toIndices } from '../../core/vertex-set';
-import type { DeformHandle, DeformStep } from '../../recipe/recipe';
+import type { DeformStep } from '../../recipe/recipe';
 import type { Paint } from '../../tools/brush-stroke';
 import { GizmoDrag, gizmoFrame } from '../../tools/deform/gizmo-drag';
 import { markerId } from '../../tools/deform/host';
@@ -12,6 +11,7 @@ import { SelectTool } from '../../tools/deform/select-tool';
 import { MARKERS } from '../../view/overlays/markers';
 import type { RegionPaint, ViewportPort } from '../../view/types';
 import type { Evaluation } from '../evaluated';
+import { listed, PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import { syncBlend } from './blend-sync';
@@ -42,7 +42,7 @@ export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformSta
       const shown = open();
       if (!shown) return;
       const { evaluation, step } = shown;
-      painted.show(evaluation, regionsOf(step, selected, stroke, evaluation));
+      painted.show(evaluation.shown, regionsOf(step, selected, stroke, evaluation));
       markers.port.setMarkers(markersOf(step, selected));
     }),
     effect(() => {
@@ -80,27 +80,12 @@ export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformSta
     },
     unmount: () => {
       for (const stop of stops) stop();
-      viewport.setRegions([]);
+      painted.clear();
       markers.unmount();
       viewport.setGizmo(null);
       viewport.setHeat(null);
     },
   };
-}
-
-/** A drag moves handles without changing what they hold: their tints need no new upload. */
-class PaintedRegions {
-  #on: object | null = null;
-  #regions: readonly RegionPaint[] = [];
-
-  constructor(private readonly viewport: Pick<ViewportPort, 'setRegions'>) {}
-
-  show({ shown }: Evaluation, regions: readonly RegionPaint[]): void {
-    if (this.#on === shown.opened && sameRegions(this.#regions, regions)) return;
-    this.#on = shown.opened;
-    this.#regions = regions;
-    this.viewport.setRegions(regions);
-  }
 }
 
 function regionsOf(
@@ -111,7 +96,7 @@ function regionsOf(
 ): RegionPaint[] {
   const count = shown.model.positions.length / 3;
   const regions: RegionPaint[] = [];
-  const roi = stroke?.kind === 'roi' ? stroke.vertices : step.roi === 'all' ? null : indices(step.roi, count);
+  const roi = stroke?.kind === 'roi' ? stroke.vertices : step.roi === 'all' ? null : listed(step.roi, count);
   if (roi) regions.push({ id: 'roi', tint: 'blue', vertices: roi, visible: true, selected: false });
   const painted = stroke?.kind === 'handle' ? stroke.vertices : null;
   let replaced = false;
@@ -119,7 +104,7 @@ function regionsOf(
     if (handle.kind !== 'region') return;
     const isPainted = painted !== null && i === selected;
     replaced ||= isPainted;
-    const vertices = isPainted ? painted : indices(handle.vertices, count);
+    const vertices = isPainted ? painted : listed(handle.vertices, count);
     const visible = !handle.hidden;
     regions.push({ id: markerId(i), tint: 'violet', vertices, visible, selected: i === selected });
   });
@@ -141,28 +126,3 @@ const markersOf = (step: DeformStep, selected: number | null) =>
         ]
       : [],
   );
-
-const vertexLists = new WeakMap<object, Uint32Array>();
-
-/** Recipes never change in place, so a set is unpacked once. */
-function indices(set: DeformHandle['vertices'], count: number): Uint32Array {
-  if (typeof set === 'string') return toIndices(set, count);
-  let list = vertexLists.get(set);
-  if (!list) {
-    list = toIndices(set, count);
-    vertexLists.set(set, list);
-  }
-  return list;
-}
-
-const sameRegions = (a: readonly RegionPaint[], b: readonly RegionPaint[]): boolean =>
-  a.length === b.length &&
-  a.every((region, i) => {
-    const other = b[i]!;
-    return (
-      region.id === other.id &&
-      region.vertices === other.vertices &&
-      region.visible === other.visible &&
-      region.selected === other.selected
-    );
-  });

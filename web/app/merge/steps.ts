@@ -1,6 +1,6 @@
 // What a merge step says: its marks, and whether it can be run yet.
 
-import { toIndices } from '../../core/vertex-set';
+import { isEmpty, toIndices } from '../../core/vertex-set';
 import type { MergeStep } from '../../recipe/recipe';
 import type { Mark } from '../../tools/merge/host';
 import type { MergeSide } from '../../tools/merge/pins';
@@ -31,9 +31,6 @@ export function withBoundaries(step: MergeStep, boundaries: MergeStep['boundarie
   const { optimalBoundary: _, ...bare } = step;
   return { ...bare, boundaries };
 }
-
-const isEmpty = (set: OptimalBoundary['feature']): boolean =>
-  set !== 'all' && ('ranges' in set ? set.ranges.length === 0 : set.length === 0);
 
 /** Whether the step says where to join the models. */
 export function isReady({ boundaries, optimalBoundary: marks }: MergeStep): boolean {

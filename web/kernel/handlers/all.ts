@@ -6,6 +6,7 @@ import { isolineHandlers } from './isoline';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
+import { transferHandlers } from './transfer';
 
 /** One line per wing: the registry of this floor. */
 export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
@@ -16,5 +17,6 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...isolineHandlers(wasm, registry),
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
+    ...transferHandlers(wasm, registry),
   };
 }

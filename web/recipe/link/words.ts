@@ -25,5 +25,7 @@ export const WORDS: readonly string[] =
     // more of merge
     'sourceKeep targetKeep pose shift turn ' +
     // more built-in models
-    'wings key pipes block'
+    'wings key pipes block ' +
+    // more of transfer
+    'strength keepStretch'
   ).split(' ');

@@ -4,12 +4,14 @@ import { deformRunner } from './deform';
 import { hairRunner } from './hair';
 import { mergeRunner } from './merge';
 import type { StepContext, StepRunner } from './step-runner';
+import { transferRunner } from './transfer';
 
 /** One line per step type: the registry of this floor. */
 const runners = {
   deform: deformRunner,
   merge: mergeRunner,
   hair: hairRunner,
+  transfer: transferRunner,
 } satisfies { readonly [T in StepType]: StepRunner<StepOf<T>> };
 
 export const runnerOf = (step: Step): StepRunner<Step> => runners[step.type] as StepRunner<Step>;

@@ -5,10 +5,19 @@ import type { Step } from '../../recipe/recipe';
 import type { Capacities, KernelSession } from '../session';
 import type { ModelResult } from '../types';
 
+/** What an earlier step left an input from: itself, and the models that it started from. */
+export interface Origin {
+  readonly step: Step;
+  /** They may have been let go since: who asks the kernel about one opens it again. */
+  readonly inputs: readonly Pick<ModelResult, 'model' | 'key'>[];
+}
+
 /** What a step is run with. */
 export interface StepContext {
   /** The models it names, in the order of its references (`model`; `source`, `target`). */
   readonly inputs: readonly ModelResult[];
+  /** Of each of them; `undefined` for a model of the recipe. */
+  readonly origins: readonly (Origin | undefined)[];
   readonly kernel: KernelSession;
   /** False: a quick preview will do. */
   readonly settle: boolean;
@@ -43,8 +52,12 @@ export interface StepRunner<S extends Step> {
   /** Vertices of what it leaves, of each where it leaves several, where they are known without running it. */
   vertexCount(inputs: readonly (InputShape | undefined)[]): number | undefined;
 
-  /** All of the step that its result depends on, beside its inputs: part of the key it is cached by. */
-  content(step: S): unknown;
+  /**
+   * All of the step that its result depends on, beside its inputs: part of the key it is cached by.
+   *
+   * @param makers  the steps that left its inputs, of which the inputs do not tell all
+   */
+  content(step: S, makers: readonly (Step | undefined)[]): unknown;
 
   run(step: S, context: StepContext): Promise<StepOutcome>;
 
@@ -63,4 +76,6 @@ export interface StepRunner<S extends Step> {
 export interface InputShape {
   readonly name: string;
   readonly vertices: number;
+  /** The step that leaves it; `undefined` for a model of the recipe. */
+  readonly maker?: Step | undefined;
 }

@@ -1,6 +1,6 @@
 // Pure edits of a deform step's region and handles. A vertex belongs to one handle at most.
 
-import { fromIndices, toIndices } from '../../core/vertex-set';
+import { fromIndices, isEmpty, toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
 import type { Vec3 } from '../../view/types';
 import { add, IDENTITY, isIdentity, type Mat4, multiply, pointAt, transform, translation } from '../geometry';
@@ -62,7 +62,7 @@ export function setHandleVertices(
       handle.kind === 'point'
         ? handle
         : { ...handle, vertices: isOwn ? fromIndices(own, count) : without(handle.vertices, own, count) };
-    if (isEmpty(kept)) return;
+    if (isEmpty(kept.vertices)) return;
     if (isOwn) selected = handles.length;
     handles.push(kept);
   });
@@ -104,6 +104,3 @@ function without(set: DeformHandle['vertices'], gone: ReadonlySet<number>, count
       )
     : set;
 }
-
-const isEmpty = ({ vertices }: DeformHandle): boolean =>
-  vertices !== 'all' && ('ranges' in vertices ? vertices.ranges.length === 0 : vertices.length === 0);

@@ -1,16 +1,13 @@
 // What the kernel is told of a step's handles.
 
 import { LissomError } from '../../../core/errors';
-import { toIndices } from '../../../core/vertex-set';
+import { isEmpty, toIndices } from '../../../core/vertex-set';
 import type { HandleSpec } from '../../../kernel/contract/model';
 import type { DeformHandle, DeformStep } from '../../../recipe/steps/deform';
 
 /** Handles with vertices; one painted and wholly erased again holds nothing. */
 export const held = (step: DeformStep): DeformHandle[] =>
-  step.handles.filter(({ vertices }) => {
-    if (vertices === 'all') return true;
-    return 'ranges' in vertices ? vertices.ranges.length > 0 : vertices.length > 0;
-  });
+  step.handles.filter(({ vertices }) => !isEmpty(vertices));
 
 /** @param count  of vertices of the model they hold */
 export const specsOf = (handles: readonly DeformHandle[], count: number): HandleSpec[] =>

@@ -1,0 +1,76 @@
+// What the workspace shows beside the result follows it: the pose it is like, what it took, what it did.
+
+import { isCancelled } from '../../core/errors';
+import type { Recipe } from '../../recipe/recipe';
+import { mainOf, type ReportOf } from '../../run/results';
+import type { Evaluation } from '../evaluated';
+import { tCode } from '../i18n';
+import type { WingParts } from '../wing-parts';
+import { poseOf } from './poses';
+import type { SourcePose, TransferFigures, TransferState } from './state';
+
+export class Follow {
+  #abort = new AbortController();
+  /** What the source on screen was made of: the pose as written, and its result. */
+  #source: readonly unknown[] = [];
+
+  constructor(
+    private readonly own: TransferState,
+    private readonly parts: Pick<WingParts, 'runner' | 'messages'>,
+  ) {}
+
+  publish(shown: Evaluation | null): void {
+    const { own } = this;
+    this.#abort.abort();
+    this.#abort = new AbortController();
+    const { signal } = this.#abort;
+    own.positions.value = shown?.positions ?? null;
+    own.figures.value = shown && figuresOf(shown);
+    own.problem.value = shown?.problem
+      ? tCode('transfer.problem.', shown.problem.code, 'error.unknown', { detail: shown.problem.message })
+      : null;
+    if (!shown || !own.figures.value) own.whatItDid.value = null;
+    if (!shown) return;
+    this.#follow(shown, signal).catch((error: unknown) => {
+      if (!isCancelled(error)) this.parts.messages.failed(error);
+    });
+  }
+
+  /** The pose that a step is to give, made where it is not known yet; `null` where that names no pose. */
+  async source(recipe: Recipe, like: string, signal?: AbortSignal): Promise<SourcePose | null> {
+    const step = poseOf(recipe, { like });
+    if (!step) return null;
+    const results = await this.parts.runner.run(recipe, { until: like, ...(signal && { signal }) });
+    const { inputs, model } = results.get(like)!;
+    return { step, rest: mainOf(step, inputs), posed: model.positions };
+  }
+
+  /** The runner knows the results by now, so this only reads and measures. */
+  async #follow(
+    { recipe, step, inputs, settled, report, shown }: Evaluation,
+    signal: AbortSignal,
+  ): Promise<void> {
+    if (step.type !== 'transfer') return;
+    const made = [poseOf(recipe, step), inputs[1]?.opened];
+    if (inputs.length < 2 || made.some((each, i) => each !== this.#source[i])) {
+      this.own.source.value = await this.source(recipe, step.like, signal);
+      this.#source = made;
+    }
+    if (!settled || !report) return;
+    const results = await this.parts.runner.run(recipe, { until: step.id, signal, measure: true });
+    const { volumeRatio, edgeRms, flippedTriangles } = results.get(step.id)!.measured!;
+    this.own.whatItDid.value = { volumeRatio, edgeRms, flippedTriangles, closed: shown.opened.closed };
+  }
+}
+
+function figuresOf({ report }: Evaluation): TransferFigures | null {
+  if (report?.type !== 'transfer') return null;
+  const { unknowns, iterations, seconds } = report as ReportOf<'transfer'>;
+  const { fields = 0, reduce = 0, perIteration = 0, solve = 0 } = seconds;
+  return {
+    unknowns,
+    iterations,
+    prepare: 1000 * (fields + reduce),
+    transfer: 1000 * (iterations * perIteration + solve),
+  };
+}
