@@ -24,6 +24,8 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   isolineFields: 'with its worker', // 0.1 s
   isolineField: 'with its worker', // 0.1 s
   isolineCurves: 'with its worker', // 0.1 s
+  prepareTransfer: 'in slices', // 1 s
+  transfer: 'with its worker', // 0.3 s a pose
   prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices
