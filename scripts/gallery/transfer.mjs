@@ -4,11 +4,17 @@
 import { after, deformStep, identity, pick, point, region, turn } from './handles.mjs';
 import { modelOf } from './models.mjs';
 
-/** The vertices within balls: `[x, y, z, radius]` each. */
-const balls = (model, ...list) =>
-  pick(modelOf(model).points, (x, y, z) =>
-    list.some(([cx, cy, cz, r]) => Math.hypot(x - cx, y - cy, z - cz) < r),
+/** Of each ball `[x, y, z, radius]` the vertices within it that are nearer to no other one, in shares of the radii. */
+function balls(model, list) {
+  const share = ([cx, cy, cz, r], x, y, z) => Math.hypot(x - cx, y - cy, z - cz) / r;
+  const { points } = modelOf(model);
+  return list.map((ball, i) =>
+    pick(points, (...p) => {
+      const own = share(ball, ...p);
+      return own < 1 && list.every((other, k) => k === i || share(other, ...p) > own);
+    }),
   );
+}
 
 const mirrored = ([x, y, z, r]) => [-x, y, z, r];
 
@@ -51,20 +57,24 @@ const JOINTS = {
 
 /** Names of the handles, and what each holds. */
 const PARTS = [
-  ['Chest', ({ chest }) => [chest]],
-  ['Hip', ({ hip }) => [hip]],
-  ['Neck', ({ neck }) => [neck]],
-  ['Head', ({ head }) => [head]],
-  ['Tail', ({ tail }) => [tail]],
-  ['Left knee', ({ knee }) => [knee]],
-  ['Right knee', ({ knee }) => [mirrored(knee)]],
-  ['Left front hoof', ({ hoof }) => [hoof]],
-  ['Right front hoof', ({ hoof }) => [mirrored(hoof)]],
-  ['Left hind hoof', ({ hind }) => [hind]],
-  ['Right hind hoof', ({ hind }) => [mirrored(hind)]],
+  ['Chest', ({ chest }) => chest],
+  ['Hip', ({ hip }) => hip],
+  ['Neck', ({ neck }) => neck],
+  ['Head', ({ head }) => head],
+  ['Tail', ({ tail }) => tail],
+  ['Left knee', ({ knee }) => knee],
+  ['Right knee', ({ knee }) => mirrored(knee)],
+  ['Left front hoof', ({ hoof }) => hoof],
+  ['Right front hoof', ({ hoof }) => mirrored(hoof)],
+  ['Left hind hoof', ({ hind }) => hind],
+  ['Right hind hoof', ({ hind }) => mirrored(hind)],
 ];
 
-const counterparts = (model) => PARTS.map(([, of]) => balls(model, ...of(JOINTS[model])));
+const counterparts = (model) =>
+  balls(
+    model,
+    PARTS.map(([, of]) => of(JOINTS[model])),
+  );
 
 const X = [1, 0, 0];
 
@@ -124,10 +134,8 @@ const ARMS = {
 };
 const HEADS = { octopus: [0, 0.86, -0.06, 0.36], squid: [0, 0.86, -0.08, 0.32] };
 
-const armed = (model) => [
-  balls(model, HEADS[model]),
-  ...ARMS[model].map(([x, z]) => balls(model, [1.1 * x, 0.26, 1.1 * z, 0.3])),
-];
+const armed = (model) =>
+  balls(model, [HEADS[model], ...ARMS[model].map(([x, z]) => [1.1 * x, 0.26, 1.1 * z, 0.3])]);
 
 /** An octopus that lifts the ends of its arms, one more than the next, its head a little to the side. */
 function dancing() {

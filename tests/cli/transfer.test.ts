@@ -76,8 +76,9 @@ test('the pose is given, and the report says what it took', async () => {
       perIteration: expect.any(Number),
       solve: expect.any(Number),
     },
-    warnings: [],
   });
+  // What is said is what is said of the file.
+  expect(steps[1].warnings.map(({ code }: { code: string }) => code)).toEqual(['open-boundary']);
 });
 
 test('half the strength gives less', async () => {

@@ -102,7 +102,9 @@ function turnOf(shape: Shape, positions: Float64Array): number {
 
 test('a bar of another mesh and size bends as far as the first one', async () => {
   const { positions, measured, prepared, iterations } = await given(target, await bent(90));
-  expect(turnOf(target, positions)).toBeCloseTo(90, -1);
+  // It is thicker for its length: its ends are drawn to where the other's ends went.
+  expect(turnOf(target, positions)).toBeGreaterThan(80);
+  expect(turnOf(target, positions)).toBeLessThan(95);
   expect(measured.volumeRatio).toBeGreaterThan(0.9);
   expect(measured.volumeRatio).toBeLessThan(1.1);
   expect(measured.flippedTriangles).toBe(0);
@@ -161,17 +163,20 @@ test('a model that is turned as a whole turns the other', async () => {
   );
   const { positions } = await given(target, transformed(source.positions, turn));
   const wanted = transformed(target.positions, turn);
-  // Where it stands is for the anchors to say: only how it is turned is compared.
+  // Its ends go as far as the other's, in shares of diagonals, which are not the same share of a thicker bar's length.
   const off = [0, 1, 2].map((axis) => positions[axis]! - wanted[axis]!);
   const shifted = wanted.map((x, at) => x + off[at % 3]!);
-  expect(gap(positions, shifted)).toBeLessThan(1e-6);
+  expect(gap(positions, shifted)).toBeLessThan(0.03);
+  const itself = await given(source, transformed(source.positions, turn));
+  expect(gap(itself.positions, transformed(source.positions, turn))).toBeLessThan(1e-9);
 });
 
 test('kept stretch lengthens the other as well, and is not kept unless asked for', async () => {
   const long = source.positions.map((x, at) => (at % 3 === 0 ? 1.4 * x : x));
   const length = (positions: Float64Array) => diagonal(positions) / diagonal(target.positions);
-  expect(length((await given(target, long, { keepStretch: true })).positions)).toBeGreaterThan(1.25);
-  expect(length((await given(target, long)).positions)).toBeLessThan(1.1);
+  expect(length((await given(target, long, { keepStretch: true })).positions)).toBeGreaterThan(1.3);
+  // The ends are drawn apart all the same.
+  expect(length((await given(target, long)).positions)).toBeLessThan(1.2);
 });
 
 describe('what cannot be paired is refused', () => {
