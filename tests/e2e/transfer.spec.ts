@@ -101,7 +101,7 @@ test('a dinosaur’s pose is given to a horse: chosen, paired, followed live, un
     const { step, rest } = await desk.shown();
     expect(step).toMatchObject({ id: 'deform 2', model: 'transfer 1' });
     expect(gap(rest, given.positions)).toBe(0);
-    await desk.press('Shift+4');
+    await page.getByRole('navigation').getByRole('button', { name: 'Transfer', exact: true }).click();
     expect((await transferred(desk)).step.id).toBe('transfer 1');
   });
 
