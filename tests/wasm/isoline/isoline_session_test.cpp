@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 using namespace lissom;
 using namespace sessions;
@@ -133,16 +134,65 @@ TEST_CASE("unit, place and numbering do not matter") {
     CHECK(worst < 0.002 * diagonal(mesh.points)); // patches start elsewhere where two places are equally good
 }
 
-TEST_CASE("a finer mesh of the same shape bends the same") {
-    const auto bent = [](int levels) {
-        const TriangleMesh mesh = shapes::icosphere(levels);
-        const std::vector<Affine3d> targets{Affine3d::Identity(), turn(70, {0, 1, 0}) * Eigen::Translation3d(-0.4, 0.3, 0), Affine3d(Eigen::Translation3d(0, 0.5, 0))};
-        return drag(mesh, axis_caps(mesh.points, 3, 0.1), targets).positions; // vertices of one level come first in the next
-    };
-    const Points coarse = bent(4), fine = bent(5);
-    const double difference = (coarse - fine.topRows(coarse.rows())).rowwise().norm().mean() / diagonal(coarse);
-    MESSAGE("four times as many triangles change the result by " << difference << " of the diagonal");
-    CHECK(difference < 0.005);
+namespace {
+
+struct Divided {
+    TriangleMesh mesh;
+    std::vector<DeformHandle> held;
+};
+
+/// Each triangle in four: the same shape exactly, old vertices first. A new vertex is in a handle where both ends of its edge are.
+Divided divided(const Divided& from) {
+    const std::vector<Edge> sides = edges(from.mesh);
+    std::map<std::pair<int, int>, int> middle;
+    Divided to;
+    const int n = from.mesh.vertex_count();
+    to.mesh.points.resize(n + std::ssize(sides), 3);
+    to.mesh.points.topRows(n) = from.mesh.points;
+    std::vector<int> owner(static_cast<std::size_t>(n), -1);
+    for (std::size_t h = 0; h < from.held.size(); ++h)
+        for (const int v : from.held[h].vertices) owner[v] = static_cast<int>(h);
+    to.held = from.held;
+    for (std::size_t e = 0; e < sides.size(); ++e) {
+        const int v = n + static_cast<int>(e), a = sides[e].a, b = sides[e].b;
+        middle[{a, b}] = v;
+        to.mesh.points.row(v) = 0.5 * (from.mesh.points.row(a) + from.mesh.points.row(b));
+        if (owner[a] >= 0 && owner[a] == owner[b]) to.held[owner[a]].vertices.push_back(v);
+    }
+    to.mesh.triangles.resize(4 * from.mesh.triangle_count(), 3);
+    for (int t = 0; t < from.mesh.triangle_count(); ++t) {
+        int c[3], m[3];
+        for (int k = 0; k < 3; ++k) c[k] = from.mesh.triangles(t, k);
+        for (int k = 0; k < 3; ++k) m[k] = middle.at(std::minmax(c[k], c[(k + 1) % 3]));
+        for (int k = 0; k < 3; ++k) to.mesh.triangles.row(4 * t + k) << c[k], m[k], m[(k + 2) % 3];
+        to.mesh.triangles.row(4 * t + 3) << m[0], m[1], m[2];
+    }
+    return to;
+}
+
+} // namespace
+
+TEST_CASE("the same shape in four and sixteen times as many triangles bends the same") {
+    const TriangleMesh bar = shapes::box(8, 40, 8, {1, 5, 1});
+    const struct {
+        const char* name;
+        Divided once;
+        std::vector<Affine3d> targets;
+    } cases[] = {{"bar", {bar, handles::two_ends(bar.points, 0.1)}, {Affine3d::Identity(), turn(-70, {0, 0, 1}, {1.5, 3, 0})}},
+                 {"bumpy sphere",
+                  {shapes::bumpy_sphere(4), axis_caps(shapes::bumpy_sphere(4).points, 3)},
+                  {Affine3d::Identity(), turn(60, {0, 1, 0}) * Eigen::Translation3d(-0.3, 0.2, 0), Affine3d(Eigen::Translation3d(0, 0.4, 0))}}};
+    for (const auto& [name, once, targets] : cases) {
+        const Points coarse = drag(once.mesh, once.held, targets).positions;
+        Divided finer = once;
+        for (const int times : {4, 16}) {
+            finer = divided(finer);
+            const Points fine = drag(finer.mesh, finer.held, targets).positions;
+            const double change = (coarse - fine.topRows(coarse.rows())).rowwise().norm().mean() / diagonal(coarse);
+            MESSAGE(std::string(name) << ", " << times << " times as many triangles: mean change " << change << " of the diagonal");
+            CHECK(change < 0.002);
+        }
+    }
 }
 
 TEST_CASE("one handle carries everything, a point by its move alone") {

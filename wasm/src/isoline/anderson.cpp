@@ -2,7 +2,6 @@
 
 #include <Eigen/QR>
 
-#include <algorithm>
 
 namespace lissom {
 namespace {
@@ -24,9 +23,9 @@ void Anderson::restart() {
 Eigen::VectorXd Anderson::next(const Eigen::VectorXd& x, const Eigen::VectorXd& image) {
     const Eigen::VectorXd residual = image - x;
     const double size = residual.norm();
-    if (last_image_.size() > 0 && size > k_astray * best_) restart();
+    if (last_image_.size() > 0 && size > k_astray * last_size_) restart();
     const bool first = last_image_.size() == 0;
-    best_ = first ? size : std::min(best_, size);
+    last_size_ = size;
     if (!first && memory_ > 0) {
         images_.push_back(image - last_image_);
         residuals_.push_back(residual - last_residual_);

@@ -29,10 +29,14 @@ using Eigen::Vector3d;
 using Floats = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 constexpr int k_controls = 10;
-constexpr double k_smoothness = 0.03;
-/// Weight of a handle's place beside the target's stiffness (D = 1), shared by its vertices. Without places feet end 6 cm off; a thousand
-/// of this pulls triangles out of shape.
-constexpr double k_anchor = 1;
+constexpr double k_smoothness = 0.01;
+/// Weight of a handle's place beside the target's stiffness (D = 1), shared by its vertices: says where a piece stands and pulls at nothing.
+constexpr double k_anchor = 1e-4;
+/// A handle this far (D = 1) from where the source's went is moved a quarter of the way there, a nearer one almost all of it: directions add up
+/// errors along limbs (feet of people end 0.03 off), but ten times as much is a difference in build or stretch, and to be left.
+constexpr double k_plausible = 0.1;
+/// Solves in which triangles that only turn may keep the stretch they came to.
+constexpr int k_stretch_rounds = 2;
 /// Cotangents at most this, as in cotangent_laplacian.
 constexpr double k_height_floor = 1e-4;
 
@@ -236,53 +240,128 @@ struct PoseTransfer::State {
         return fit.solve(right);
     }
 
-    /// Right-hand side of one pose, in displacements.
-    [[nodiscard]] Points right_side(const Points& moved, const TransferOptions& options) const {
+    /// What the whole source does in a pose, and what its handles do beside that: in the target's place.
+    struct Places {
+        Matrix3d turn;
+        Points handles; ///< where each handle of the target is wanted in the mean
+    };
+    [[nodiscard]] Places places(const Points& moved, const std::vector<Matrix3d>& gradients, const TransferOptions& options) const {
+        const TriangleMesh& rest = source.working.mesh;
+        Matrix3d mean = Matrix3d::Zero();
+        for (std::size_t t = 0; t < gradients.size(); ++t) mean += source_areas[static_cast<Eigen::Index>(t)] * gradients[t];
+        const Matrix3d R = nearest_rotation(mean);
+        const Eigen::RowVector3d from = middle(rest, rest.points), to = middle(rest, moved);
+        const Points before = handle_means(source, rest.points), after = handle_means(source, moved), here = handle_means(target, target.working.mesh.points);
+        const Eigen::RowVector3d there = middle(target.working.mesh, target.working.mesh.points);
+        const Matrix3d turn = powered(R, {options.strength, false});
+        const Points beside = (after.rowwise() - to) * R - (before.rowwise() - from); // Rᵀ of each, as rows
+        Points wanted = ((here.rowwise() - there) + options.strength * beside) * turn.transpose();
+        wanted.rowwise() += there + options.strength * (to - from);
+        return {turn, std::move(wanted)};
+    }
+
+    /// Area-weighted middle of a surface.
+    [[nodiscard]] static Eigen::RowVector3d middle(const TriangleMesh& mesh, const Points& points) {
+        const Eigen::VectorXd areas = triangle_areas(mesh);
+        Eigen::RowVector3d sum = Eigen::RowVector3d::Zero();
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            for (int k = 0; k < 3; ++k) sum += areas[t] / 3 * points.row(mesh.triangles(t, k));
+        return areas.sum() > 0 ? Eigen::RowVector3d(sum / areas.sum()) : sum;
+    }
+
+    [[nodiscard]] static Points handle_means(const Side& side, const Points& points) {
+        const std::vector<int> sizes = handle_sizes(side);
+        Points means = Points::Zero(std::ssize(side.handles), 3);
+        for (Eigen::Index v = 0; v < points.rows(); ++v)
+            if (const int h = side.held.of_working[static_cast<std::size_t>(v)]; h >= 0) means.row(h) += points.row(v) / sizes[h];
+        return means;
+    }
+
+    /// Displacements of the target's unknowns in one pose: right-hand side, and after `factor->solve` the rest.
+    struct Pose {
+        Points moved;
+        std::vector<Matrix3d> gradients;
+        Places to;
+    };
+    [[nodiscard]] Pose read(const Points& pose, const TransferOptions& options) const {
+        Pose read{posed(pose), {}, {}};
+        read.gradients = triangle_gradients(source.working.mesh, read.moved);
+        read.to = places(read.moved, read.gradients, options);
+        return read;
+    }
+
+    /// Linear maps that the target's triangles should have; the identity where no field reaches.
+    [[nodiscard]] std::vector<Matrix3d> wanted(const Pose& pose, const TransferOptions& options) const {
         const TriangleMesh& mesh = target.working.mesh;
-        const std::vector<Matrix3d> gradients = triangle_gradients(source.working.mesh, moved);
-        const Eigen::Matrix<double, Eigen::Dynamic, 9> maps = fitted(gradients);
+        const Eigen::Matrix<double, Eigen::Dynamic, 9> maps = fitted(pose.gradients);
         const TransferOptions whole{options.strength, options.keep_stretch || same};
         std::vector<ControlSets::Entry> entries;
-        Points right = Points::Zero(factor->size(), 3);
+        std::vector<Matrix3d> found(static_cast<std::size_t>(mesh.triangle_count()), Matrix3d::Identity());
         for (int t = 0; t < mesh.triangle_count(); ++t) {
             if (unknown[mesh.triangles(t, 0)] < 0 || !target.entries(sets, t, entries)) continue;
             Matrix3d B = Matrix3d::Identity();
-            if (same) B = gradients[static_cast<std::size_t>(t)];
+            if (same) B = pose.gradients[static_cast<std::size_t>(t)];
             else
-                for (const auto& e : entries) B += e.weight * Eigen::Map<const Matrix3d>(Eigen::Matrix<double, 9, 1>(maps.row(e.control).transpose()).data());
-            const Matrix3d offset = powered(B, whole) - Matrix3d::Identity();
-            for (int k = 0; k < 3; ++k) { // Eq 12, each edge by its cotangent
+                for (const auto& e : entries) {
+                    const Eigen::Matrix<double, 9, 1> flat = maps.row(e.control).transpose();
+                    B += e.weight * Eigen::Map<const Matrix3d>(flat.data());
+                }
+            found[static_cast<std::size_t>(t)] = powered(B, whole);
+        }
+        return found;
+    }
+
+    /// Right-hand side of Eq 12 for these maps, and of the places.
+    [[nodiscard]] Points right_side(const Pose& pose, const std::vector<Matrix3d>& maps, const TransferOptions& options) const {
+        const TriangleMesh& mesh = target.working.mesh;
+        Points right = Points::Zero(factor->size(), 3);
+        for (int t = 0; t < mesh.triangle_count(); ++t) {
+            if (unknown[mesh.triangles(t, 0)] < 0) continue;
+            const Matrix3d offset = maps[static_cast<std::size_t>(t)] - Matrix3d::Identity();
+            for (int k = 0; k < 3; ++k) { // each edge by its cotangent
                 const int i = mesh.triangles(t, (k + 1) % 3), j = mesh.triangles(t, (k + 2) % 3);
                 const Eigen::RowVector3d along = cotangents(t, k) * (mesh.points.row(i) - mesh.points.row(j)) * offset.transpose();
                 right.row(unknown[i]) += along;
                 right.row(unknown[j]) -= along;
             }
         }
-        add_places(moved, maps, whole, right);
+        const std::vector<int> sizes = handle_sizes(target);
+        const Points here = handle_means(target, mesh.points);
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+            if (const int h = target.held.of_working[v]; h >= 0) {
+                Eigen::RowVector3d there = pose.to.handles.row(h) + (mesh.points.row(v) - here.row(h)) * pose.to.turn.transpose() - mesh.points.row(v);
+                if (same) there = options.strength * (pose.moved.row(v) - mesh.points.row(v));
+                right.row(unknown[v]) += k_anchor / sizes[h] * there;
+            }
         return right;
     }
 
-    void add_places(const Points& moved, const Eigen::Matrix<double, Eigen::Dynamic, 9>& maps, const TransferOptions& options, Points& right) const {
-        const std::size_t count = target.handles.size();
-        const std::vector<int> source_sizes = handle_sizes(source), target_sizes = handle_sizes(target);
-        Points shift = Points::Zero(static_cast<Eigen::Index>(count), 3), centre = shift;
-        for (Eigen::Index v = 0; v < moved.rows(); ++v)
-            if (const int h = source.held.of_working[static_cast<std::size_t>(v)]; h >= 0) shift.row(h) += (moved.row(v) - source.working.mesh.points.row(v)) / source_sizes[h];
+    /// Lets triangles keep the stretch that they came to, in the frame of their own rotation: rotations alone fit no bent surface, and
+    /// what does not fit turns back at the ends of a bend.
+    void allow_stretch(const Points& u, std::vector<Matrix3d>& maps) const {
         const TriangleMesh& mesh = target.working.mesh;
+        Points moved = mesh.points;
         for (int v = 0; v < mesh.vertex_count(); ++v)
-            if (const int h = target.held.of_working[v]; h >= 0) centre.row(h) += mesh.points.row(v) / target_sizes[h];
-        std::vector<Matrix3d> turned;
-        for (std::size_t h = 0; h < count; ++h) {
-            const Eigen::Matrix<double, 9, 1> flat = maps.row(sets.end_control(static_cast<int>(h))).transpose();
-            turned.push_back(powered(Matrix3d::Identity() + Eigen::Map<const Matrix3d>(flat.data()), options) - Matrix3d::Identity());
+            if (unknown[v] >= 0) moved.row(v) += u.row(unknown[v]);
+        const std::vector<Matrix3d> came = triangle_gradients(mesh, moved);
+        for (std::size_t t = 0; t < maps.size(); ++t) maps[t] *= nearest_rotation(came[t]).transpose() * came[t];
+    }
+
+    /// Where the target is, D = 1, handles drawn to their places along their fields. @param u  displacements of the unknowns
+    [[nodiscard]] Points placed(const Pose& pose, const Points& u) const {
+        const TriangleMesh& mesh = target.working.mesh;
+        Points moved = mesh.points;
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+            if (unknown[v] >= 0) moved.row(v) += u.row(unknown[v]);
+        if (same) return moved;
+        Points way = pose.to.handles - handle_means(target, moved);
+        for (Eigen::Index h = 0; h < way.rows(); ++h) {
+            const double far = way.row(h).norm() / k_plausible, kept = 1 / (1 + far * far);
+            way.row(h) *= kept * kept;
         }
-        for (int v = 0; v < mesh.vertex_count(); ++v) {
-            const int h = target.held.of_working[v];
-            if (h < 0) continue;
-            Eigen::RowVector3d there = options.strength * shift.row(h) + (mesh.points.row(v) - centre.row(h)) * turned[static_cast<std::size_t>(h)].transpose();
-            if (same) there = options.strength * (moved.row(v) - mesh.points.row(v));
-            right.row(unknown[v]) += k_anchor / target_sizes[h] * there;
-        }
+        for (int v = 0; v < mesh.vertex_count(); ++v)
+            if (unknown[v] >= 0) moved.row(v) += target.fields.row(v).cast<double>() * way / static_cast<double>(target.fields.row(v).sum());
+        return moved;
     }
 };
 
@@ -327,15 +406,32 @@ std::vector<Points> PoseTransfer::transfer(std::span<const Points> poses, const 
     if (!(options.strength >= -10 && options.strength <= 10))
         throw InvalidInput("bad-option", "The strength is " + std::to_string(options.strength) + "; it must be between -10 and 10.");
     Columns u(s.factor->size(), 3 * static_cast<Eigen::Index>(poses.size()));
-    for (std::size_t p = 0; p < poses.size(); ++p) u.middleCols<3>(3 * static_cast<Eigen::Index>(p)) = s.right_side(s.posed(poses[p]), options);
-    if (u.size() > 0) s.factor->solve(u);
+    std::vector<State::Pose> read;
+    std::vector<std::vector<Matrix3d>> maps;
+    const int rounds = s.same || options.keep_stretch ? 1 : 1 + k_stretch_rounds;
+    for (const Points& pose : poses) {
+        read.push_back(s.read(pose, options));
+        maps.push_back(s.wanted(read.back(), options));
+    }
+    std::vector<std::vector<Matrix3d>> rounded = maps;
+    for (int round = 0; round < rounds; ++round) {
+        for (std::size_t p = 0; p < poses.size(); ++p) {
+            if (round > 0) {
+                rounded[p] = maps[p];
+                s.allow_stretch(u.middleCols<3>(3 * static_cast<Eigen::Index>(p)), rounded[p]);
+            }
+            u.middleCols<3>(3 * static_cast<Eigen::Index>(p)) = s.right_side(read[p], rounded[p], options);
+        }
+        if (u.size() > 0) s.factor->solve(u);
+    }
     std::vector<Points> results;
     const WorkingMesh& working = s.target.working;
     for (std::size_t p = 0; p < poses.size(); ++p) {
+        const Points there = s.placed(read[p], u.middleCols<3>(3 * static_cast<Eigen::Index>(p)));
         Points moved = working.source;
         for (std::size_t v = 0; v < working.working_of_source.size(); ++v)
             if (const int w = working.working_of_source[v]; w >= 0 && s.unknown[w] >= 0)
-                moved.row(static_cast<Eigen::Index>(v)) += working.scale * u.row(s.unknown[w]).segment<3>(3 * static_cast<Eigen::Index>(p));
+                moved.row(static_cast<Eigen::Index>(v)) += working.scale * (there.row(w) - working.mesh.points.row(w));
         results.push_back(std::move(moved));
     }
     return results;

@@ -17,7 +17,7 @@ public:
     explicit Anderson(int memory = 5) : memory_(memory) {}
 
     /// @param x      where the map was taken; @param image  G(x); both of one size
-    /// @returns      where to take it next. Starts afresh where the residual has doubled since the best one.
+    /// @returns      where to take it next. Starts afresh where the residual has doubled.
     [[nodiscard]] Eigen::VectorXd next(const Eigen::VectorXd& x, const Eigen::VectorXd& image);
 
     /// Forgets what it has seen: for another map.
@@ -27,7 +27,7 @@ private:
     int memory_;
     Eigen::VectorXd last_image_, last_residual_;
     std::vector<Eigen::VectorXd> images_, residuals_; ///< differences, oldest first
-    double best_ = 0;
+    double last_size_ = 0;
 };
 
 } // namespace lissom

@@ -27,9 +27,9 @@ struct TransferSeconds {
 ///     minimise Σ_t A_t |Σ_q b_q(φ_t) R_q − F_t|² + β² (n − 1) Σ_ij |R_ij − R_i,j+1|²
 ///
 /// and given to each triangle of the target, where the *blended* map is made a rotation (single R_q mean nothing alone). The target's positions
-/// are those whose triangles fit these best (Eq 12, by cotangent weights), its handles drawn softly to where the source's handles went, in
-/// shares of the diagonal, for directions alone leave hands and feet to add up errors along the limbs. A model that is given its own pose has
-/// that pose.
+/// are those whose triangles fit these best (Eq 12, by cotangent weights). Directions alone add up errors along limbs: handles that then lie near where
+/// the source's handles went (in shares of the diagonal, beside the turn of the whole) are moved there, the surface following along their fields.
+/// A model that is given its own pose has that pose.
 ///
 /// Source: Au et al. 2007 (001), section 6; the last step as in Sumner and Popović, "Deformation transfer for triangle meshes", 2004.
 /// Limits: like rest poses, handles of like extent in the same order.
