@@ -17,11 +17,10 @@ mkdirSync(new URL('thumbnails/', gallery), { recursive: true });
 const wanted = process.argv.slice(2);
 const all = [...examples, ...models].filter(({ name }) => wanted.length === 0 || wanted.includes(name));
 const isHair = ({ name }) => name.startsWith('hair-');
-/** Shown in one half of the page: that half is as wide as the whole is for the others. */
-const isHalf = ({ name }) => name.startsWith('transfer-');
-const rest = all.filter((entry) => !isHair(entry) && !isHalf(entry));
-await pictures(rest, false);
-await pictures(all.filter(isHalf), false, { ...PAGE, width: PAGE.width + 2 * SIZE.width });
+await pictures(
+  all.filter((entry) => !isHair(entry)),
+  false,
+);
 await pictures(all.filter(isHair), true);
 
 /** In the page: draws so many of the strands, 0 to 1. */
@@ -31,9 +30,9 @@ async function strandShare(share) {
 }
 
 /** @param ofHair  thousands of strands: seen from the front, and drawn whole for the picture only */
-async function pictures(entries, ofHair, size = PAGE) {
+async function pictures(entries, ofHair) {
   if (entries.length === 0) return;
-  const { page, close } = await openStudio(size, { quick: true });
+  const { page, close } = await openStudio(PAGE, { quick: true });
   page.setDefaultTimeout(300_000);
   try {
     for (const { name } of entries) {
@@ -41,6 +40,9 @@ async function pictures(entries, ofHair, size = PAGE) {
       await page.evaluate(async (title) => {
         const { app } = window.__lissom;
         await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === title));
+        await app.evaluator.settled();
+        // What got a pose is looked at without the model that has it, and without handles.
+        if (title.startsWith('transfer-')) await app.commands.run('transfer.deform');
         await app.evaluator.settled();
       }, name);
       // A card needs less air around a model than a gizmo does.

@@ -51,8 +51,8 @@ test('without its pose the recipe can still be read', () => {
 
 describe('bounds', () => {
   test.each([
-    [{ strength: -0.1 }, 'steps[1].strength: expected a number from 0 to 2, got -0.1.'],
-    [{ strength: 2.5 }, 'steps[1].strength: expected a number from 0 to 2, got 2.5.'],
+    [{ strength: -0.1 }, 'steps[1].strength: expected a number from 0 to 2, found -0.1.'],
+    [{ strength: 2.5 }, 'steps[1].strength: expected a number from 0 to 2, found 2.5.'],
     [{ handles: undefined }, 'steps[1].handles'],
     [{ handles: [[3], 'some'] }, 'steps[1].handles[1]'],
     [{ like: 'nobody' }, 'steps[1].like: there is no model or earlier step "nobody"'],
