@@ -1,7 +1,9 @@
 import { beforeAll, expect, test } from 'vitest';
 import type { KernelPort } from '../../web/kernel/contract';
 import type { IsolineOptions } from '../../web/kernel/contract/isoline';
+import type { HandleSpec } from '../../web/kernel/contract/model';
 import { loadKernel } from '../../web/kernel/node';
+import { blended } from '../view/blend/reference';
 import { affine, allVertices, bar, gap, transformed, verticesWhere } from './shapes';
 
 let kernel: KernelPort;
@@ -27,13 +29,14 @@ const turned = affine(
   [-4, 5, 2],
 );
 
-async function prepare(options: IsolineOptions = {}) {
+async function prepare(options: IsolineOptions = {}, count = 2) {
   const { id: model } = await kernel.call('openModel', shape);
   const surface = await kernel.call('prepareIsolineModel', { model });
   const handles = [
     { kind: 'region', vertices: verticesWhere(shape, (x) => x < 1.5) },
     { kind: 'region', vertices: verticesWhere(shape, (x) => x > 22.5) },
-  ] as const;
+    { kind: 'region', vertices: verticesWhere(shape, (x) => x > 10.5 && x < 13.5) },
+  ].slice(0, count) as [HandleSpec, HandleSpec];
   const prepared = await kernel.call('prepareIsolines', {
     isolineModel: surface.id,
     roi: allVertices(shape),
@@ -57,32 +60,26 @@ test('a common rigid motion of the handles is that of the model, even after what
   expect(gap(settled.positions, transformed(shape.positions, turned))).toBeLessThan(1e-4);
 });
 
-test('a frame says how to blend: fields and controls give the positions', async () => {
-  const { isolines } = await prepare({ basis: 'hats', controls: 20 });
-  const targets = Float64Array.from([...still, ...turned]);
-  const { offsets } = await kernel.call('dragIsolines', { isolines, targets, solves: 8 });
-  const { fields, gradients, still: resting } = await kernel.call('isolineFields', { isolines });
-  expect(offsets).toHaveLength(12 * 20);
-  expect(gradients).toHaveLength(shape.positions.length);
-  expect(resting.some((flag) => flag === 1)).toBe(false);
-  const { offsets: ended, positions } = await kernel.call('poseIsolines', {
-    isolines,
-    targets,
-    settle: false,
-  });
-  const blended = shape.positions.map((coordinate, i) => {
-    const v = Math.floor(i / 3);
-    const at = (fields[v] ?? 0) * 19;
-    const first = Math.min(Math.floor(at), 18);
-    const along = (control: number) => {
-      const row = 12 * control + 4 * (i % 3);
-      const point = [...shape.positions.subarray(3 * v, 3 * v + 3), 1];
-      return point.reduce((sum, x, k) => sum + x * (ended[row + k] ?? 0), 0);
-    };
-    return coordinate + (1 - at + first) * along(first) + (at - first) * along(first + 1);
-  });
-  expect(gap(blended, positions)).toBeLessThan(1e-4);
-});
+test.each([
+  ['quadratic', 10, 2],
+  ['hats', 20, 2],
+  ['quadratic', 10, 3],
+] as const)(
+  'a frame says how to blend, %s with %i controls and %i handles: fields and controls give the positions',
+  async (basis, controls, count) => {
+    const { isolines, prepared } = await prepare({ basis, controls }, count);
+    const targets = Float64Array.from([...still, ...turned, ...still].slice(0, 16 * count));
+    const { offsets } = await kernel.call('dragIsolines', { isolines, targets, solves: 8 });
+    const surface = await kernel.call('isolineFields', { isolines });
+    const sets = count === 2 ? 1 : count + prepared.freeHandles;
+    expect(offsets).toHaveLength(12 * sets * controls);
+    expect(surface.gradients).toHaveLength(sets * shape.positions.length);
+    expect(surface.still.some((flag) => flag === 1)).toBe(false);
+    const posed = await kernel.call('poseIsolines', { isolines, targets, settle: false });
+    const expected = blended({ ...prepared, ...surface }, posed.offsets, shape.positions);
+    expect(gap(expected, posed.positions)).toBeLessThan(1e-5);
+  },
+);
 
 test('fields, rigidity and isolines can be looked at', async () => {
   const { isolines, handles } = await prepare();

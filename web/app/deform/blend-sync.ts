@@ -11,12 +11,14 @@ import type { DeformState } from './state';
 export function syncBlend(
   viewport: ViewportPort,
   { result }: Pick<EvaluatorPort, 'result'>,
-  { blends }: Pick<DeformState, 'blends'>,
+  own: Pick<DeformState, 'blends' | 'readBack'>,
 ): () => void {
   const { port, unmount } = viewport.mount(BLEND);
   let held: BlendSurface | null = null;
   let model: object | null = null;
+  const { blends } = own;
   blends.value = port.works;
+  own.readBack = () => port.readBack();
   const stop = effect(() => {
     const shown = result.value;
     const blend = shown?.blend ?? null;
@@ -35,6 +37,7 @@ export function syncBlend(
   return () => {
     stop();
     blends.value = false;
+    own.readBack = () => null;
     unmount();
   };
 }

@@ -3,6 +3,7 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { stepOf } from '../../recipe/edit';
 import type { DeformStep } from '../../recipe/recipe';
+import type { BlendPort } from '../../view/blend/types';
 import type { GizmoMode } from '../../view/types';
 import type { State } from '../state';
 
@@ -25,6 +26,8 @@ export interface WhatItDid {
 export class DeformState {
   /** The open step while it is one that deforms. */
   readonly step: ReadonlySignal<DeformStep | undefined>;
+  /** For tests: what the graphics card makes of the model, see `BlendPort`. */
+  readBack: BlendPort['readBack'] = () => null;
   /** Whether the graphics card can move the model by a few transformations. */
   readonly blends = signal(false);
   readonly gizmo = signal<GizmoMode>('translate');

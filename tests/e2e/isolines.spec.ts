@@ -1,0 +1,71 @@
+import type { DeformWing } from '../../web/app/deform/wing';
+import { blended } from '../view/blend/reference';
+import { type Desk, diagonal, expect, gap, SIZE, test } from './desk';
+
+test.use({ viewport: SIZE });
+
+const state = (desk: Desk) =>
+  desk.page.evaluate(() => {
+    const { blend, settled } = window.__lissom.app.evaluator.result.peek()!;
+    return { blends: blend !== null, settled };
+  });
+
+/** What the graphics card has made of the model, and what it was given to make it of. */
+async function onTheCard(desk: Desk) {
+  const read = await desk.page.evaluate(() => {
+    const { evaluator, wings } = window.__lissom.app;
+    const { blend, shown } = evaluator.result.peek()!;
+    const wing = wings.get('deform') as unknown as DeformWing;
+    const { fields, still, ...surface } = blend!.surface;
+    return {
+      ...{ sets: surface.sets, single: surface.single, basis: surface.basis, controls: surface.controls },
+      fields: [...fields],
+      still: [...(still ?? [])],
+      offsets: [...blend!.offsets],
+      rest: [...shown.model.positions],
+      drawn: [...wing.state.readBack()!.positions],
+    };
+  });
+  return {
+    ...read,
+    fields: Float32Array.from(read.fields),
+    still: Uint8Array.from(read.still),
+    offsets: Float64Array.from(read.offsets),
+    rest: Float64Array.from(read.rest),
+    drawn: Float64Array.from(read.drawn),
+  };
+}
+
+test('a drag by isolines follows on the graphics card, settles when the hand lets go, and is a step of undo', async ({
+  fresh: desk,
+}) => {
+  const { page } = desk;
+  await page.getByLabel('Follow by').selectOption('isolines');
+  await desk.settled();
+  const rest = await desk.shown();
+  const grip = await desk.grip(0);
+  await page.mouse.move(grip.x, grip.y);
+  await page.mouse.down();
+  for (let i = 1; i <= 6; i++) await page.mouse.move(grip.x + 20 * i, grip.y - 5 * i);
+  await desk.settled();
+  expect(await state(desk)).toEqual({ blends: true, settled: false });
+  await expect(page.getByText('Moving by isolines')).toBeVisible();
+  const { drawn, offsets, rest: still, ...surface } = await onTheCard(desk);
+  const apart = gap(drawn, blended(surface, offsets, still)) / diagonal(still);
+  console.log(`graphics card and formula: ${apart.toExponential(1)} of the diagonal apart`);
+  expect(apart).toBeLessThan(1e-4);
+  await desk.picture('isolines-dragged');
+  await page.mouse.up();
+  await desk.settled();
+  expect(await state(desk)).toEqual({ blends: false, settled: true });
+  await desk.picture('isolines-settled');
+  const posed = await desk.shown();
+  expect(gap(posed.positions, rest.positions)).toBeGreaterThan(0);
+  for (const view of ['lines', 'field', 'rigidity', 'nothing']) {
+    await page.getByLabel('Show', { exact: true }).selectOption(view);
+    await desk.settled();
+    await desk.picture(`isolines-${view}`);
+  }
+  await desk.press('Control+z');
+  expect(gap((await desk.shown()).positions, rest.positions)).toBe(0);
+});
