@@ -58,8 +58,10 @@ Columns PreparedSolver::solve(const Columns& w, const Columns* b, bool is_final)
 /// One correction by the residual in the equations themselves: what it is short of, the rows' is of the same size.
 double PreparedSolver::try_out() const {
     if (equations_.A.rows() == 0 || equations_.G.cols() == 0) return 0;
-    Columns w = Columns::Zero(equations_.G.cols(), 3);
-    for (Eigen::Index row = 0; row < w.rows(); row += 4) w.middleRows(row, 4) << 0.4, -0.3, 0.2, 0.5, -0.2, 0.3, -0.1, 0.4, 0.6, 0.2, 0.3, -0.5;
+    Columns w(equations_.G.cols(), 3);
+    Eigen::Matrix<double, 4, 3> map;
+    map << 0.4, -0.3, 0.2, 0.5, -0.2, 0.3, -0.1, 0.4, 0.6, 0.2, 0.3, -0.5;
+    for (Eigen::Index row = 0; row < w.rows(); ++row) w.row(row) = map.row(row % 4); // handles or not, four columns or not
     const Columns b = -(equations_.G * w);
     Columns x = b;
     factor_.solve(x);
