@@ -233,7 +233,11 @@ describe('the module itself', () => {
       .map((name) => readFileSync(new URL(name, bindings), 'utf8'))
       .join('\n');
     const membersOf = (name: string): string[] =>
-      [...declared.matchAll(new RegExp(`interface ${name}(?!\\s+extends \\w+Module)[^{]*\\{(.*?)\\n\\}`, 'gs'))]
+      [
+        ...declared.matchAll(
+          new RegExp(`interface ${name}(?!\\s+extends \\w+Module)[^{]*\\{(.*?)\\n\\}`, 'gs'),
+        ),
+      ]
         .flatMap(([, body = '']) => [...body.matchAll(/^ {2}(?:readonly )?(\w+)[(:]/gm)])
         .map((match) => match[1] as string)
         .sort();
