@@ -84,8 +84,8 @@ public:
 
     /// n×3 source positions as dragged last: handled ones where their handles have them; unused ones at rest, bit for bit.
     [[nodiscard]] Points positions() const;
-    /// The same at the working vertices of a plain list of them: what a shader is checked against. @returns unit normals, from
-    /// the gradient of the blend: cof(I + Σ w D + Σ_i ∂x′/∂φ_i ∇φ_iᵀ) n
+    /// Unit normals of the last drag from the gradient of the blend, cof(I + Σ w D + Σ_i ∂x′/∂φ_i ∇φ_iᵀ) n: what a shader is checked against.
+    /// @param rest_normals  of the working vertices; @returns as many
     [[nodiscard]] Points blended_normals(const Points& rest_normals) const;
 
     /// Prepares settling, a slice at a time, whenever there is time for it. @returns true while there is more. @throws SolverFailure
