@@ -37,6 +37,8 @@ constexpr double k_anchor = 1e-4;
 constexpr double k_plausible = 0.1;
 /// Solves in which triangles that only turn may keep the stretch they came to.
 constexpr int k_stretch_rounds = 2;
+/// What they may keep (Frobenius norm of the stretch less the identity): a thick bar bent by a right angle needs 0.2, a triangle about to fold has 1.
+constexpr double k_most_stretch = 0.25;
 /// Cotangents at most this, as in cotangent_laplacian.
 constexpr double k_height_floor = 1e-4;
 
@@ -344,7 +346,10 @@ struct PoseTransfer::State {
         for (int v = 0; v < mesh.vertex_count(); ++v)
             if (unknown[v] >= 0) moved.row(v) += u.row(unknown[v]);
         const std::vector<Matrix3d> came = triangle_gradients(mesh, moved);
-        for (std::size_t t = 0; t < maps.size(); ++t) maps[t] *= nearest_rotation(came[t]).transpose() * came[t];
+        for (std::size_t t = 0; t < maps.size(); ++t) {
+            const Matrix3d stretch = nearest_rotation(came[t]).transpose() * came[t] - Matrix3d::Identity();
+            maps[t] *= Matrix3d::Identity() + std::min(1.0, k_most_stretch / std::max(stretch.norm(), 1e-300)) * stretch;
+        }
     }
 
     /// Where the target is, D = 1, handles drawn to their places along their fields. @param u  displacements of the unknowns
