@@ -23,7 +23,6 @@ const JOINTS = {
   horse: {
     chest: [0, 1.33, 0.45, 0.32],
     hip: [0, 1.33, -0.63, 0.3],
-    neck: [0, 1.69, 0.82, 0.2],
     head: [0, 2.03, 1.25, 0.26],
     tail: [0, 0.66, -1.14, 0.17],
     knee: [0.15, 0.6, 0.63, 0.11],
@@ -34,7 +33,6 @@ const JOINTS = {
   cow: {
     chest: [0, 1.07, 0.5, 0.4],
     hip: [0, 1.07, -0.7, 0.38],
-    neck: [0, 1.16, 0.82, 0.25],
     head: [0, 1.22, 1.17, 0.3],
     tail: [0, 0.36, -1.22, 0.17],
     knee: [0.195, 0.46, 0.69, 0.11],
@@ -45,7 +43,6 @@ const JOINTS = {
   dog: {
     chest: [0, 0.96, 0.4, 0.25],
     hip: [0, 0.96, -0.56, 0.23],
-    neck: [0, 1.16, 0.68, 0.16],
     head: [0, 1.3, 0.98, 0.24],
     tail: [0, 0.55, -0.94, 0.14],
     knee: [0.117, 0.42, 0.568, 0.09],
@@ -59,7 +56,6 @@ const JOINTS = {
 const PARTS = [
   ['Chest', ({ chest }) => chest],
   ['Hip', ({ hip }) => hip],
-  ['Neck', ({ neck }) => neck],
   ['Head', ({ head }) => head],
   ['Tail', ({ tail }) => tail],
   ['Left knee', ({ knee }) => knee],
@@ -92,7 +88,6 @@ function rearing() {
   const maps = {
     Chest: body,
     Hip: turn(X, -19, [0, 1.05, -0.62]),
-    Neck: neck,
     Head: head,
     Tail: tail,
     'Left knee': left[0],
