@@ -1,25 +1,16 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { DeformKernel } from '../contract/deform';
 import type { HandlersOf } from '../serve';
+import { prepared } from './prepared';
 import type { Registry } from './registry';
 
 /** Deformation sessions: factored in slices, then asked as often as the pointer moves. */
 export function deformHandlers(wasm: KernelModule, registry: Registry): HandlersOf<DeformKernel> {
   return {
-    async prepareDeform({ model, roi, handles, options }, job) {
+    prepareDeform({ model, roi, handles, options }, job) {
       const mesh = registry.get(model, wasm.WorkingMesh);
       const session = new wasm.DeformSession(mesh, roi, handles, options);
-      try {
-        await job.advance(
-          () => session.step(),
-          () => session.fraction(),
-        );
-        const figures = session.figures();
-        return { id: registry.add(session), ...figures, peakBytes: wasm.peakBytes() };
-      } catch (error) {
-        session.delete();
-        throw error;
-      }
+      return prepared(session, job, registry, wasm);
     },
 
     deform: ({ deform, targets, settle = true }) =>

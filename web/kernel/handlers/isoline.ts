@@ -1,6 +1,7 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { IsolineKernel } from '../contract/isoline';
 import type { HandlersOf } from '../serve';
+import { prepared } from './prepared';
 import type { Registry } from './registry';
 
 /** Global steps that a result may take from the rest pose; drags take a few a frame. */
@@ -12,39 +13,19 @@ export function isolineHandlers(wasm: KernelModule, registry: Registry): Handler
     estimateIsolines: ({ model, handles }) =>
       wasm.estimateIsolines(registry.get(model, wasm.WorkingMesh), handles),
 
-    async prepareIsolineModel({ model }, job) {
+    prepareIsolineModel({ model }, job) {
       const surface = new wasm.IsolineModel(registry.get(model, wasm.WorkingMesh));
-      try {
-        await job.advance(
-          () => surface.step(),
-          () => surface.fraction(),
-        );
-        const figures = surface.figures();
-        return { id: registry.add(surface), ...figures, peakBytes: wasm.peakBytes() };
-      } catch (error) {
-        surface.delete();
-        throw error;
-      }
+      return prepared(surface, job, registry, wasm);
     },
 
-    async prepareIsolines({ isolineModel, roi, handles, options }, job) {
+    prepareIsolines({ isolineModel, roi, handles, options }, job) {
       const session = new wasm.IsolineSession(
         registry.get(isolineModel, wasm.IsolineModel),
         roi,
         handles,
         options,
       );
-      try {
-        await job.advance(
-          () => session.step(),
-          () => session.fraction(),
-        );
-        const figures = session.figures();
-        return { id: registry.add(session), ...figures, peakBytes: wasm.peakBytes() };
-      } catch (error) {
-        session.delete();
-        throw error;
-      }
+      return prepared(session, job, registry, wasm);
     },
 
     dragIsolines: ({ isolines, targets, solves = 0 }) =>

@@ -1,12 +1,13 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { MergeKernel } from '../contract/merge';
 import type { HandlersOf } from '../serve';
+import { prepared } from './prepared';
 import type { Registry } from './registry';
 
 /** Merge sessions: factored in slices, then asked as often as a key moves. */
 export function mergeHandlers(wasm: KernelModule, registry: Registry): HandlersOf<MergeKernel> {
   return {
-    async prepareMerge({ source, target, boundaries, optimalBoundary, roi, handles, options }, job) {
+    prepareMerge({ source, target, boundaries, optimalBoundary, roi, handles, options }, job) {
       const meshes = [
         registry.get(source, wasm.WorkingMesh),
         registry.get(target, wasm.WorkingMesh),
@@ -14,17 +15,7 @@ export function mergeHandlers(wasm: KernelModule, registry: Registry): HandlersO
       const session = optimalBoundary
         ? wasm.mergeAlongOptimalBoundary(...meshes, optimalBoundary, options)
         : new wasm.MergeSession(...meshes, boundaries, roi, handles, options);
-      try {
-        await job.advance(
-          () => session.step(),
-          () => session.fraction(),
-        );
-        const figures = session.figures();
-        return { id: registry.add(session), ...figures, peakBytes: wasm.peakBytes() };
-      } catch (error) {
-        session.delete();
-        throw error;
-      }
+      return prepared(session, job, registry, wasm);
     },
 
     merge: ({ merge, keys, settle = true }) => registry.get(merge, wasm.MergeSession).merge(keys, settle),

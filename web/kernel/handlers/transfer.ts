@@ -1,29 +1,20 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { TransferKernel } from '../contract/transfer';
 import type { HandlersOf } from '../serve';
+import { prepared } from './prepared';
 import type { Registry } from './registry';
 
 /** Transfer sessions: prepared in slices, then asked for one pose after another. */
 export function transferHandlers(wasm: KernelModule, registry: Registry): HandlersOf<TransferKernel> {
   return {
-    async prepareTransfer({ source, sourceHandles, target, targetHandles }, job) {
+    prepareTransfer({ source, sourceHandles, target, targetHandles }, job) {
       const session = new wasm.TransferSession(
         registry.get(source, wasm.WorkingMesh),
         sourceHandles,
         registry.get(target, wasm.WorkingMesh),
         targetHandles,
       );
-      try {
-        await job.advance(
-          () => session.step(),
-          () => session.fraction(),
-        );
-        const figures = session.figures();
-        return { id: registry.add(session), ...figures, peakBytes: wasm.peakBytes() };
-      } catch (error) {
-        session.delete();
-        throw error;
-      }
+      return prepared(session, job, registry, wasm);
     },
 
     transfer: ({ transfer, pose, strength, keepStretch }) =>
