@@ -18,8 +18,8 @@ export const factsOf = ({ model, opened }: Pick<ModelResult, 'model' | 'opened'>
 
 /** What the fast half of a step took, in milliseconds. */
 export function solveTime(report: StepReport | null): number {
-  const { solve = 0, rotate = 0, reconstruct = 0 } = report?.seconds ?? {};
-  return 1000 * (solve + rotate + reconstruct);
+  const { solve = 0, rotate = 0, reconstruct = 0, blend = 0, settle = 0 } = report?.seconds ?? {};
+  return 1000 * (solve + rotate + reconstruct + blend + settle);
 }
 
 /**
@@ -53,7 +53,7 @@ function show(state: State, evaluation: Evaluation | null): void {
     state.model.value = shown.model;
     state.facts.value = facts;
   }
-  const { factor } = report?.seconds ?? {};
+  const { fields = 0, reduce = 0, factor = fields + reduce } = report?.seconds ?? {};
   state.figures.value = {
     ...old,
     vertices: facts.vertices,

@@ -21,8 +21,8 @@ const UNTIMED = { assemble: 0, factor: 0, solve: 0, rotate: 0, reconstruct: 0 };
 
 export interface DeformFigures extends Partial<IsolineFigures> {
   /** Vertices that were solved for; the isoline method solves for none. */
-  readonly free: number;
-  readonly degenerate: number;
+  readonly free?: number;
+  readonly degenerate?: number;
   readonly iterations: number;
 }
 
@@ -56,8 +56,7 @@ export const deformRunner = {
 
     if (step.method === 'isolines') {
       const outcome = await runIsolines(step, context);
-      const figures = { free: 0, degenerate: 0, ...outcome.figures };
-      return { ...outcome, figures, warnings: [...warnings, ...outcome.warnings] };
+      return { ...outcome, warnings: [...warnings, ...outcome.warnings] };
     }
     const count = vertexCount(input.model);
     const prepared = await context.kernel.hold(
