@@ -74,6 +74,14 @@ export class ModelView {
     this.#normal.needsUpdate = true;
   }
 
+  /** Places and normals as they were last set, drawn units. */
+  drawn(): { readonly places: Float32Array; readonly normals: Float32Array } {
+    return {
+      places: this.#position.array as Float32Array,
+      normals: this.#normal.array as Float32Array,
+    };
+  }
+
   /** Places and normals as they would be drawn, drawn units. */
   drawnAt(positions: Float64Array): { readonly places: Float32Array; readonly normals: Float32Array } {
     const places = new Float32Array(positions.length);

@@ -23,7 +23,7 @@ export function syncBlend(
     const shown = result.value;
     const blend = shown?.blend ?? null;
     if (!shown || !blend) {
-      port.move(null);
+      port.arrive();
       return;
     }
     // With another model on screen the card has let go of the surface.

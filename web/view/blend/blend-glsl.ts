@@ -15,6 +15,10 @@ uniform bool blendQuadratic;
 uniform float blendSteepest;
 layout(location = 0) in vec3 place;
 layout(location = 1) in vec3 facing;
+// Where the surface is on its way to, and how far it has come.
+layout(location = 2) in vec3 wantedPlace;
+layout(location = 3) in vec3 wantedFacing;
+uniform float blendArrival;
 out vec3 movedPlace;
 out vec3 movedNormal;
 
@@ -80,6 +84,10 @@ void main() {
   vec3 across = mat3(cross(turn[1], turn[2]), cross(turn[2], turn[0]), cross(turn[0], turn[1])) * facing;
   float size = length(across);
   if (size > 0.0) movedNormal = across / size;
+  if (blendArrival > 0.0) {
+    movedPlace = mix(movedPlace, wantedPlace, blendArrival);
+    movedNormal = normalize(mix(movedNormal, wantedFacing, blendArrival) + 1e-9 * movedNormal);
+  }
 }
 `;
 

@@ -6,6 +6,9 @@ import { offsetsInView, packFields } from './pack';
 import { SurfaceBlend } from './surface-blend';
 import type { BlendPort, BlendSurface } from './types';
 
+/** Milliseconds from how a drag was shown to its result: long enough to be seen as one movement, too short to wait for. */
+const ARRIVAL = 160;
+
 /** Moves the model on screen by a few transformations, all its vertices on the graphics card. */
 class BlendLayer implements Layer, BlendPort {
   readonly group = new Group();
@@ -14,6 +17,8 @@ class BlendLayer implements Layer, BlendPort {
   #surface: BlendSurface | null = null;
   #offsets: Float64Array | null = null;
   #blend: SurfaceBlend | null = null;
+  /** Another number, another movement: what is under way ends. */
+  #arrivals = 0;
 
   constructor(private readonly context: LayerContext) {}
 
@@ -37,9 +42,34 @@ class BlendLayer implements Layer, BlendPort {
   }
 
   move(offsets: Float64Array | null): void {
+    this.#arrivals++;
     this.#offsets = offsets;
     this.#show();
     this.context.redraw();
+  }
+
+  arrive(): void {
+    const [blend, model, offsets] = [this.#blend, this.#model, this.#offsets];
+    const still = this.context.test || window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+    if (!blend || !model || !offsets || still) {
+      this.move(null);
+      return;
+    }
+    const own = ++this.#arrivals;
+    const started = performance.now();
+    blend.goTo(model.drawn());
+    const go = () => {
+      if (own !== this.#arrivals) return;
+      const share = (performance.now() - started) / ARRIVAL;
+      if (share >= 1) {
+        this.move(null);
+        return;
+      }
+      this.#show(share * share * (3 - 2 * share));
+      this.context.redraw();
+      requestAnimationFrame(go);
+    };
+    go();
   }
 
   readBack(): ReturnType<BlendPort['readBack']> {
@@ -50,6 +80,7 @@ class BlendLayer implements Layer, BlendPort {
 
   restore(): void {
     // What was held is gone with the context.
+    this.#arrivals++;
     this.#model?.drawOwn();
     this.#blend = null;
     this.#make();
@@ -73,7 +104,8 @@ class BlendLayer implements Layer, BlendPort {
     renderer.resetState();
   }
 
-  #show(): void {
+  /** @param arrival  how much of the way to the shape that was set otherwise */
+  #show(arrival = 0): void {
     const { renderer } = this.context;
     const model = this.#model;
     if (!this.#blend || !model) return;
@@ -81,12 +113,13 @@ class BlendLayer implements Layer, BlendPort {
       model.drawOwn();
       return;
     }
-    this.#blend.move(offsetsInView(this.#offsets, model.space));
+    this.#blend.move(offsetsInView(this.#offsets, model.space), arrival);
     renderer.resetState();
     model.drawOther(this.#blend.position, this.#blend.normal);
   }
 
   #drop(): void {
+    this.#arrivals++;
     this.#model?.drawOwn();
     this.#blend?.dispose();
     if (this.#blend) this.context.renderer.resetState();

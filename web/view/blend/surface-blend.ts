@@ -15,6 +15,7 @@ const UNIFORMS = [
   'blendSingle',
   'blendQuadratic',
   'blendSteepest',
+  'blendArrival',
 ] as const;
 
 type Uniforms = Readonly<Record<(typeof UNIFORMS)[number], WebGLUniformLocation | null>>;
@@ -33,6 +34,7 @@ export class SurfaceBlend {
   readonly #program: WebGLProgram;
   readonly #vertices: WebGLVertexArrayObject;
   readonly #buffers: WebGLBuffer[];
+  #wanted: WebGLBuffer[] = [];
   readonly #fields: WebGLTexture;
   readonly #offsets: WebGLTexture;
   readonly #at: Uniforms;
@@ -100,10 +102,37 @@ export class SurfaceBlend {
     gl.useProgram(null);
   }
 
-  /** One pass. The state of `gl` is another one afterwards. @param offsets  12 numbers a control, drawn units */
-  move(offsets: Float32Array): void {
+  /**
+   * Where it is going from here, for passes that have arrived in part. The state of `gl` is another one afterwards.
+   *
+   * @param wanted  drawn units
+   */
+  goTo(wanted: Rest): void {
+    const { gl } = this;
+    gl.bindVertexArray(this.#vertices);
+    for (const buffer of this.#wanted) gl.deleteBuffer(buffer);
+    this.#wanted = [wanted.places, wanted.normals].map((array, i) => {
+      const buffer = gl.createBuffer();
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(2 + i);
+      gl.vertexAttribPointer(2 + i, 3, gl.FLOAT, false, 0, 0);
+      return buffer;
+    });
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, null);
+  }
+
+  /**
+   * One pass. The state of `gl` is another one afterwards.
+   *
+   * @param offsets  12 numbers a control, drawn units
+   * @param arrival  in [0, 1]: how much of the way to what `goTo` was given
+   */
+  move(offsets: Float32Array, arrival = 0): void {
     const { gl } = this;
     gl.useProgram(this.#program);
+    gl.uniform1f(this.#at.blendArrival, arrival);
     gl.activeTexture(gl.TEXTURE1);
     gl.bindTexture(gl.TEXTURE_2D, this.#offsets);
     const rows = this.surface.sets * this.surface.controls;
@@ -145,7 +174,7 @@ export class SurfaceBlend {
 
   dispose(): void {
     const { gl } = this;
-    for (const buffer of this.#buffers) gl.deleteBuffer(buffer);
+    for (const buffer of [...this.#buffers, ...this.#wanted]) gl.deleteBuffer(buffer);
     gl.deleteTexture(this.#fields);
     gl.deleteTexture(this.#offsets);
     gl.deleteVertexArray(this.#vertices);

@@ -36,6 +36,8 @@ export interface BlendPort {
    * @param offsets  12 numbers a control, rows of [A − 1 | b] in model space; `null`: the shape that was set otherwise
    */
   move(offsets: Float64Array | null): void;
+  /** Goes over to the shape that was set otherwise, within a moment. */
+  arrive(): void;
   /** Where the graphics card puts the vertices, 3 numbers each in model space, and their normals. For tests, and slow. */
   readBack(): { readonly positions: Float64Array; readonly normals: Float32Array } | null;
 }
