@@ -1,6 +1,8 @@
 import type { DeformWing } from '../../web/app/deform/wing';
+import { IDENTITY } from '../../web/core/affine';
 import { blended } from '../view/blend/reference';
-import { type Desk, diagonal, expect, gap, SIZE, test } from './desk';
+import { type Desk, diagonal, expect, gap, handleGap, moved, SIZE, test } from './desk';
+import { sheetObj } from './shapes';
 
 test.use({ viewport: SIZE });
 
@@ -68,4 +70,61 @@ test('a drag by isolines follows on the graphics card, settles when the hand let
   }
   await desk.press('Control+z');
   expect(gap((await desk.shown()).positions, rest.positions)).toBe(0);
+});
+
+test('a large model is prepared with progress and a way out, and dragged by isolines whatever its method', async ({
+  fresh: desk,
+}) => {
+  test.slow();
+  const { page } = desk;
+  const n = 245;
+  /** A strip wide enough to take hold of. */
+  const side = (column: number) =>
+    Array.from({ length: 20 * (n + 1) }, (_, i) => Math.floor(i / 20) * (n + 1) + column + (i % 20));
+  const handle = (name: string, column: number) => ({
+    kind: 'region',
+    name,
+    vertices: side(column),
+    matrix: IDENTITY,
+  });
+  const recipe = {
+    lissom: 1,
+    models: { sheet: { file: 'sheet.obj' } },
+    steps: [
+      {
+        id: 'deform 1',
+        type: 'deform',
+        model: 'sheet',
+        handles: [handle('Left', 0), handle('Right', n - 19)],
+        method: 'isolines',
+      },
+    ],
+  };
+  const opened = desk.choose(['sheet.json', JSON.stringify(recipe)], ['sheet.obj', sheetObj(n)]);
+  await page.getByRole('button', { name: 'Cancel' }).click({ timeout: 60_000 });
+  await opened;
+  await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
+  expect(await page.locator('.toast.bad').count()).toBe(0);
+
+  await page.getByRole('button', { name: /^Left/ }).click();
+  await page.getByRole('textbox', { name: 'Move Y' }).fill('9');
+  await page.keyboard.press('Enter');
+  const shown = await desk.shown();
+  expect(shown.rest).toHaveLength(3 * (n + 1) ** 2);
+  expect(moved(shown).length).toBeGreaterThan(1000);
+  expect(handleGap(shown.step.handles[0]!, shown)).toBeLessThan(1e-9);
+
+  await page.getByLabel('Follow by').selectOption('implicit');
+  await desk.settled();
+  await page.keyboard.press('Escape');
+  const grip = await desk.grip(0);
+  await page.mouse.move(grip.x, grip.y);
+  await page.mouse.down();
+  for (let i = 1; i <= 4; i++) await page.mouse.move(grip.x, grip.y - 12 * i);
+  await desk.settled();
+  expect(await state(desk)).toEqual({ blends: true, settled: false });
+  await desk.picture('isolines-large');
+  await page.mouse.up();
+  await desk.settled();
+  expect(await state(desk)).toEqual({ blends: false, settled: true });
 });
