@@ -50,12 +50,13 @@ export class KernelSession {
    * The answer of a method that makes the kernel hold something, or changes the state of what it holds. What is still
    * held, or still in that state, is not asked for again.
    *
-   * @param key  of all that the answer depends on
+   * @param key   of all that the answer depends on
+   * @param args  or how they are made, where that takes time: a drag comes by here every frame
    */
   async hold<M extends Method>(
     method: M,
     key: string,
-    args: Args<M>,
+    args: Args<M> | (() => Args<M>),
     { of, ...options }: HoldOptions = {},
   ): Promise<Result<M>> {
     this.#sync();
@@ -64,7 +65,7 @@ export class KernelSession {
     if (known) return known;
     // Whatever comes of it, the state before is gone.
     if (of !== undefined) kept.clear();
-    const answer = await this.call(method, args, options);
+    const answer = await this.call(method, typeof args === 'function' ? args() : args, options);
     kept.set(key, answer);
     return answer;
   }

@@ -6,16 +6,15 @@ import { vertexCount, withPositions } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../recipe/steps/deform';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
-import { held, specsOf, targetsOf } from './deform/handles';
+import { handlesKey, held, specsOf, targetsOf } from './deform/handles';
 import {
   dragIsolines,
   fieldOfHandle,
   fieldsOfIsolines,
-  type IsolineDrag,
   type IsolineFigures,
   runIsolines,
 } from './deform/isolines';
-import type { StepContext, StepOutcome, StepRunner } from './step-runner';
+import { type StepContext, type StepOutcome, type StepRunner, signalOf } from './step-runner';
 
 const UNTIMED = { assemble: 0, factor: 0, solve: 0, rotate: 0, reconstruct: 0 };
 
@@ -54,7 +53,8 @@ export const deformRunner = {
     // A step that nothing holds yet leaves its input as it is: a document half made is no error.
     if (handles.length === 0) return unchanged(context, [...warnings, finding('no-handle', 1)]);
 
-    if (step.method === 'isolines') {
+    const { method } = step;
+    if (method === 'isolines') {
       const outcome = await runIsolines(step, context);
       return { ...outcome, warnings: [...warnings, ...outcome.warnings] };
     }
@@ -62,12 +62,12 @@ export const deformRunner = {
     const prepared = await context.kernel.hold(
       'prepareDeform',
       hashValue({ model: input.key, ...constraints(step) }),
-      {
+      () => ({
         model: input.opened.id,
         roi: toIndices(step.roi, count),
         handles: specsOf(handles, count),
-        options: { method: step.method, ...implicitOptions(step) },
-      },
+        options: { method, ...implicitOptions(step) },
+      }),
       { ...signalOf(context), onProgress: (fraction) => context.onProgress(0.9 * fraction) },
     );
     const deformed = await context.kernel.call(
@@ -85,12 +85,11 @@ export const deformRunner = {
   },
   questions: {
     /** A frame of a drag by the isoline method, whatever the step's own is; `null` where nothing is held. */
-    drag: (step: DeformStep, context: StepContext): Promise<IsolineDrag | null> =>
-      dragIsolines(step, context),
+    drag: dragIsolines,
+    /** What the graphics card needs for such frames. */
+    dragFields: fieldsOfIsolines,
     /** A handle's field, to show. */
     handleField: fieldOfHandle,
-    /** What the graphics card needs for such frames. */
-    dragFields: (step: DeformStep, context: StepContext) => fieldsOfIsolines(step, context),
   },
 } satisfies StepRunner<DeformStep>;
 
@@ -102,7 +101,7 @@ const implicitOptions = ({ options }: DeformStep) => {
 /** What is factored: everything but where the handles go. Names and hiding are for the eye only. */
 const constraints = (step: DeformStep): object => ({
   roi: vertexSetKey(step.roi),
-  handles: held(step).map(({ kind, vertices }) => [kind, vertexSetKey(vertices)]),
+  handles: handlesKey(held(step)),
   method: step.method,
   options: step.options,
 });
@@ -119,5 +118,3 @@ const unchanged = ({ inputs }: StepContext, warnings: readonly Finding[]): StepO
 });
 
 const finding = (code: string, count: number): Finding => ({ code, count, examples: [], repaired: true });
-
-const signalOf = ({ signal }: StepContext) => (signal ? { signal } : {});

@@ -11,7 +11,7 @@ import { type HairStep, newHairStep } from '../../recipe/steps/hair';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { checkReach } from './hair/reach';
 import { scalpOf } from './hair/scalp';
-import type { StepContext, StepOutcome, StepRunner } from './step-runner';
+import { type StepContext, type StepOutcome, type StepRunner, signalOf } from './step-runner';
 
 /** Strands that follow a stroke while it is being drawn: the first of all of them. */
 export const PREVIEW_STRANDS = 4000;
@@ -60,7 +60,7 @@ export const hairRunner = {
 
   async run(step, context): Promise<StepOutcome<HairFigures>> {
     const { model } = context.inputs[0]!;
-    const signal = context.signal ? { signal: context.signal } : {};
+    const signal = signalOf(context);
     const { opened, styled } = await styleHead(step, context);
     const count = context.settle ? step.strands.count : Math.min(step.strands.count, PREVIEW_STRANDS);
     const grown = await context.kernel.call(
@@ -114,7 +114,7 @@ export const hairRunner = {
     ): Promise<HairField> {
       const { opened } = await styleHead(step, context);
       const { grid, low, high, id: hair } = opened;
-      const signal = context.signal ? { signal: context.signal } : {};
+      const signal = signalOf(context);
       const field = await context.kernel.call('hairField', { hair, stride }, signal);
       const constraints = await context.kernel.call('hairConstraints', { hair }, signal);
       return { grid, low, high, constraints, ...field };

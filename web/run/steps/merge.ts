@@ -10,7 +10,7 @@ import type { MergeStep } from '../../recipe/steps/merge';
 import type { ModelResult } from '../types';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
 import { mergedModel } from './merge/merged-model';
-import type { StepContext, StepOutcome, StepRunner } from './step-runner';
+import { type StepContext, type StepOutcome, type StepRunner, signalOf } from './step-runner';
 
 export interface MergeFigures {
   readonly free: number;
@@ -179,8 +179,6 @@ const NO_MARKS: NonNullable<MergeStep['optimalBoundary']> = {
 };
 
 const sidesOf = ({ inputs }: StepContext) => inputs as [source: ModelResult, target: ModelResult];
-
-const signalOf = ({ signal }: StepContext) => (signal ? { signal } : {});
 
 const paintedRegions = (
   { sourceRegion, feature, targetRegion, placement, rounds }: NonNullable<MergeStep['optimalBoundary']>,

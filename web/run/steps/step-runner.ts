@@ -26,6 +26,9 @@ export interface StepContext {
   readonly onProgress: (fraction: number) => void;
 }
 
+/** The way out of a step's work, as calls of the kernel take it. */
+export const signalOf = ({ signal }: Pick<StepContext, 'signal'>) => (signal ? { signal } : {});
+
 /** What a step leaves, and its own figures for the report. */
 export interface StepOutcome<Figures extends object = object> {
   /** The model in the place of its main input. */

@@ -9,7 +9,14 @@ import { mainReference } from '../../recipe/references';
 import type { TransferStep } from '../../recipe/steps/transfer';
 import type { ModelResult } from '../types';
 import { checkApart, checkVertices, vertexSetKey } from '../vertex-sets';
-import type { InputShape, Origin, StepContext, StepOutcome, StepRunner } from './step-runner';
+import {
+  type InputShape,
+  type Origin,
+  type StepContext,
+  type StepOutcome,
+  type StepRunner,
+  signalOf,
+} from './step-runner';
 
 /** Between two handles a field has a slope; with one alone there is nothing to tell places apart by. */
 const FEWEST_PAIRS = 2;
@@ -52,7 +59,7 @@ export const transferRunner = {
     if (pairs.length < FEWEST_PAIRS)
       return unchanged(target, [...warnings, finding('few-pairs', pairs.length)]);
 
-    const signal = context.signal ? { signal: context.signal } : {};
+    const signal = signalOf(context);
     // It may be long since the pose was made.
     const source = await context.kernel.open(rest.model, context.signal, rest.key);
     const sourceHandles = pairs.map(({ source: held }) => held);

@@ -4,10 +4,15 @@ import { LissomError } from '../../../core/errors';
 import { isEmpty, toIndices } from '../../../core/vertex-set';
 import type { HandleSpec } from '../../../kernel/contract/model';
 import type { DeformHandle, DeformStep } from '../../../recipe/steps/deform';
+import { vertexSetKey } from '../../vertex-sets';
 
 /** Handles with vertices; one painted and wholly erased again holds nothing. */
 export const held = (step: DeformStep): DeformHandle[] =>
   step.handles.filter(({ vertices }) => !isEmpty(vertices));
+
+/** What they hold, for keys. */
+export const handlesKey = (handles: readonly DeformHandle[]) =>
+  handles.map(({ kind, vertices }) => [kind, vertexSetKey(vertices)]);
 
 /** @param count  of vertices of the model they hold */
 export const specsOf = (handles: readonly DeformHandle[], count: number): HandleSpec[] =>

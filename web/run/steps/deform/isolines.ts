@@ -11,8 +11,8 @@ import type {
 } from '../../../kernel/contract/isoline';
 import type { DeformStep } from '../../../recipe/steps/deform';
 import { vertexSetKey } from '../../vertex-sets';
-import type { StepContext, StepOutcome } from '../step-runner';
-import { held, specsOf, targetsOf } from './handles';
+import { type StepContext, type StepOutcome, signalOf } from '../step-runner';
+import { handlesKey, held, specsOf, targetsOf } from './handles';
 
 export interface IsolineFigures {
   readonly unknowns: number;
@@ -113,10 +113,15 @@ async function prepareIsolines(step: DeformStep, context: StepContext) {
     hashValue({
       model: input.key,
       roi: vertexSetKey(step.roi),
-      handles: handles.map(({ kind, vertices }) => [kind, vertexSetKey(vertices)]),
+      handles: handlesKey(handles),
       options,
     }),
-    { isolineModel: surface.id, roi: toIndices(step.roi, count), handles: specsOf(handles, count), options },
+    () => ({
+      isolineModel: surface.id,
+      roi: toIndices(step.roi, count),
+      handles: specsOf(handles, count),
+      options,
+    }),
     { ...signalOf(context), onProgress: (fraction) => onProgress(SURFACE + (FIELDS - SURFACE) * fraction) },
   );
   return { surface, prepared };
@@ -133,5 +138,3 @@ function optionsOf({ options }: DeformStep): IsolineOptions {
     ...(sampledTriangles !== undefined && { sampledTriangles }),
   };
 }
-
-const signalOf = ({ signal }: StepContext) => (signal ? { signal } : {});
