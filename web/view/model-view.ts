@@ -13,6 +13,12 @@ import { SurfaceGraph } from './surface-graph';
 import type { RegionPaint, ViewModel } from './values';
 import { ViewSpace } from './view-space';
 
+/** A surface as it is drawn, 3 numbers each, drawn units. */
+export interface DrawnShape {
+  readonly places: Float32Array;
+  readonly normals: Float32Array;
+}
+
 /** One model on the graphics card: places, normals and the fields its look is made of. */
 export class ModelView {
   /** What is drawn. */
@@ -75,7 +81,7 @@ export class ModelView {
   }
 
   /** Places and normals as they were last set, drawn units. */
-  drawn(): { readonly places: Float32Array; readonly normals: Float32Array } {
+  drawn(): DrawnShape {
     return {
       places: this.#position.array as Float32Array,
       normals: this.#normal.array as Float32Array,
@@ -83,7 +89,7 @@ export class ModelView {
   }
 
   /** Places and normals as they would be drawn, drawn units. */
-  drawnAt(positions: Float64Array): { readonly places: Float32Array; readonly normals: Float32Array } {
+  drawnAt(positions: Float64Array): DrawnShape {
     const places = new Float32Array(positions.length);
     const normals = new Float32Array(positions.length);
     this.#draw(positions, places, normals);

@@ -17,7 +17,7 @@ export function syncBlend(
   let held: BlendSurface | null = null;
   let model: object | null = null;
   const { blends } = own;
-  blends.value = port.works;
+  blends.value = true;
   own.readBack = () => port.readBack();
   const stop = effect(() => {
     const shown = result.value;

@@ -5,7 +5,7 @@ import type { DeformStep } from '../../recipe/recipe';
 import { mainInput } from '../../recipe/references';
 import type { IsolineDrag } from '../../run/steps/deform/isolines';
 import type { BlendSurface } from '../../view/blend/types';
-import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
+import type { Evaluating, Outcome, Request, Strategy } from '../evaluated';
 import { sameBefore, untouched } from '../strategy';
 import type { DeformState } from './state';
 
@@ -20,19 +20,7 @@ export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<Defor
     busy: 'busy.preparing',
 
     /** Both need the same factorization: only where the handles go differs. */
-    worthWaiting(last, next) {
-      const [a, b] = [last.step, next.step];
-      return (
-        a.id === b.id &&
-        a.model === b.model &&
-        a.roi === b.roi &&
-        a.method === b.method &&
-        a.options === b.options &&
-        a.handles.length === b.handles.length &&
-        a.handles.every((handle, i) => handle.vertices === b.handles[i]!.vertices) &&
-        sameBefore(last, next)
-      );
-    },
+    worthWaiting: (last, next) => heldAlike(last.step, next.step) && sameBefore(last, next),
 
     async run(request, evaluating) {
       const { step, live } = request;
@@ -45,6 +33,16 @@ export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<Defor
     },
   };
 }
+
+/** Whether two states of a step hold the same parts in the same way: only where these go differs. */
+export const heldAlike = (a: DeformStep, b: DeformStep): boolean =>
+  a.id === b.id &&
+  a.model === b.model &&
+  a.roi === b.roi &&
+  a.method === b.method &&
+  a.options === b.options &&
+  a.handles.length === b.handles.length &&
+  a.handles.every((handle, i) => handle.vertices === b.handles[i]!.vertices);
 
 /** The plain method is there to be seen as it is. */
 const goesByIsolines = ({ method, id }: DeformStep, { settle, before }: Evaluating): boolean => {
@@ -104,6 +102,3 @@ class Surfaces {
     return this.#surface;
   }
 }
-
-/** Whether a result is seen by way of the isolines. */
-export const isBlended = (evaluation: Evaluation | null): boolean => evaluation?.blend != null;

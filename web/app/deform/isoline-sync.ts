@@ -6,6 +6,7 @@ import type { DeformStep, Recipe } from '../../recipe/recipe';
 import { LEVELS } from '../../view/overlays/levels';
 import type { ViewportPort } from '../../view/types';
 import type { WingParts } from '../wing-parts';
+import { heldAlike } from './evaluation';
 import type { DeformState, IsolineView } from './state';
 
 /** Lines on the surface: as many steps as the paper draws. */
@@ -15,6 +16,8 @@ const ABOVE = 0.02;
 
 interface Wanted {
   readonly recipe: Recipe;
+  /** Stands for the model that the step starts from. */
+  readonly key: string;
   readonly step: DeformStep;
   readonly handle: number;
   readonly view: Exclude<IsolineView, 'nothing'>;
@@ -43,29 +46,22 @@ export function syncIsolines(
     deliver: draw,
     fail: (error) => messages.failed(error),
   });
-  let last = '';
+  let last: Wanted | null = null;
   const stop = effect(() => {
     const evaluation = evaluator.result.value;
     const view = own.isolines.value;
     const handle = state.selection.value.item ?? 0;
     if (evaluation?.step.type !== 'deform' || view === 'nothing') {
-      last = '';
+      last = null;
       fetches.cancel();
       draw(null);
       return;
     }
-    const { recipe, step } = evaluation;
-    // Where the handles go changes nothing of it.
-    const key = JSON.stringify([
-      view,
-      handle,
-      evaluation.shown.key,
-      step.handles.map(({ vertices }) => vertices),
-      step.roi,
-    ]);
-    if (key === last) return;
-    last = key;
-    fetches.push({ recipe, step, handle, view });
+    const { recipe, step, shown } = evaluation;
+    const wanted = { recipe, key: shown.key, step, handle, view };
+    if (last && sameField(last, wanted)) return;
+    last = wanted;
+    fetches.push(wanted);
   });
   return () => {
     stop();
@@ -74,6 +70,10 @@ export function syncIsolines(
     levels.unmount();
   };
 }
+
+/** Where the handles go changes nothing of it. */
+const sameField = (a: Wanted, b: Wanted): boolean =>
+  a.view === b.view && a.handle === b.handle && a.key === b.key && heldAlike(a.step, b.step);
 
 /** The value that all but a few stay below. */
 function high(values: Float32Array): number {

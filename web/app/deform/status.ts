@@ -2,7 +2,6 @@
 
 import { t } from '../i18n';
 import type { WingParts } from '../wing-parts';
-import { isBlended } from './evaluation';
 import type { DeformState } from './state';
 
 /** Reads signals. @param key  the shortcut of a command as it is shown */
@@ -11,7 +10,7 @@ export function deformStatus(
   own: DeformState,
   key: (command: string) => string,
 ): string {
-  if (isBlended(evaluator.result.value)) return t('status.isolines');
+  if (evaluator.result.value?.blend) return t('status.isolines');
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   switch (state.tool.value) {
     case 'select':

@@ -22,8 +22,6 @@ class BlendLayer implements Layer, BlendPort {
 
   constructor(private readonly context: LayerContext) {}
 
-  readonly works = true;
-
   place(space: ViewSpace, model: ModelView | undefined): void {
     if (space === this.#space && model === this.#model) return;
     this.#drop();

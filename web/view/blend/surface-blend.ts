@@ -2,6 +2,7 @@
 // surface reads, so shadows, edges and whatever else follow without knowing of it.
 
 import { GLBufferAttribute } from 'three';
+import type { DrawnShape } from '../model-view';
 import { BLEND_FRAGMENT, BLEND_VERTEX } from './blend-glsl';
 import type { PackedFields } from './pack';
 import type { BlendSurface } from './types';
@@ -20,12 +21,6 @@ const UNIFORMS = [
 
 type Uniforms = Readonly<Record<(typeof UNIFORMS)[number], WebGLUniformLocation | null>>;
 
-/** A surface at rest, drawn units. */
-export interface Rest {
-  readonly places: Float32Array;
-  readonly normals: Float32Array;
-}
-
 export class SurfaceBlend {
   /** What the last pass wrote. */
   readonly position: GLBufferAttribute;
@@ -33,8 +28,10 @@ export class SurfaceBlend {
   readonly #count: number;
   readonly #program: WebGLProgram;
   readonly #vertices: WebGLVertexArrayObject;
-  readonly #buffers: WebGLBuffer[];
+  /** At rest, going to, and written: places, then normals. */
+  readonly #rest: WebGLBuffer[];
   #wanted: WebGLBuffer[] = [];
+  readonly #written: WebGLBuffer[];
   readonly #fields: WebGLTexture;
   readonly #offsets: WebGLTexture;
   readonly #at: Uniforms;
@@ -44,7 +41,7 @@ export class SurfaceBlend {
     private readonly gl: WebGL2RenderingContext,
     private readonly surface: Omit<BlendSurface, 'fields' | 'gradients'>,
     packed: PackedFields,
-    rest: Rest,
+    rest: DrawnShape,
   ) {
     this.#count = rest.places.length / 3;
     this.#program = link(gl);
@@ -52,25 +49,10 @@ export class SurfaceBlend {
       UNIFORMS.map((name) => [name, gl.getUniformLocation(this.#program, name)]),
     ) as unknown as Uniforms;
     this.#vertices = gl.createVertexArray();
-    gl.bindVertexArray(this.#vertices);
-    const given = [rest.places, rest.normals].map((array, location) => {
-      const buffer = gl.createBuffer();
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(location);
-      gl.vertexAttribPointer(location, 3, gl.FLOAT, false, 0, 0);
-      return buffer;
-    });
-    gl.bindVertexArray(null);
-    const written = [rest.places, rest.normals].map((array) => {
-      const buffer = gl.createBuffer();
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, array, gl.DYNAMIC_COPY);
-      return buffer;
-    });
+    this.#rest = this.#feed(rest, 0);
+    this.#written = [rest.places, rest.normals].map((array) => filled(gl, array, gl.DYNAMIC_COPY));
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
-    this.#buffers = [...given, ...written];
-    const [position, normal] = written.map(
+    const [position, normal] = this.#written.map(
       (buffer) => new GLBufferAttribute(buffer, gl.FLOAT, 3, 4, this.#count),
     );
     this.position = position!;
@@ -107,20 +89,9 @@ export class SurfaceBlend {
    *
    * @param wanted  drawn units
    */
-  goTo(wanted: Rest): void {
-    const { gl } = this;
-    gl.bindVertexArray(this.#vertices);
-    for (const buffer of this.#wanted) gl.deleteBuffer(buffer);
-    this.#wanted = [wanted.places, wanted.normals].map((array, i) => {
-      const buffer = gl.createBuffer();
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferData(gl.ARRAY_BUFFER, array, gl.STATIC_DRAW);
-      gl.enableVertexAttribArray(2 + i);
-      gl.vertexAttribPointer(2 + i, 3, gl.FLOAT, false, 0, 0);
-      return buffer;
-    });
-    gl.bindVertexArray(null);
-    gl.bindBuffer(gl.ARRAY_BUFFER, null);
+  goTo(wanted: DrawnShape): void {
+    for (const buffer of this.#wanted) this.gl.deleteBuffer(buffer);
+    this.#wanted = this.#feed(wanted, 2);
   }
 
   /**
@@ -145,24 +116,22 @@ export class SurfaceBlend {
     gl.bindVertexArray(this.#vertices);
     // A buffer that is written may be bound nowhere else.
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
-    const [position, normal] = [this.#buffers[2]!, this.#buffers[3]!];
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, position);
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 1, normal);
+    for (const [i, buffer] of this.#written.entries())
+      gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, i, buffer);
     gl.enable(gl.RASTERIZER_DISCARD);
     gl.beginTransformFeedback(gl.POINTS);
     gl.drawArrays(gl.POINTS, 0, this.#count);
     gl.endTransformFeedback();
     gl.disable(gl.RASTERIZER_DISCARD);
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 0, null);
-    gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, 1, null);
+    for (const i of this.#written.keys()) gl.bindBufferBase(gl.TRANSFORM_FEEDBACK_BUFFER, i, null);
     gl.bindVertexArray(null);
     gl.useProgram(null);
   }
 
   /** What the last pass wrote, drawn units; waits for the graphics card. */
-  read(): Rest {
+  read(): DrawnShape {
     const { gl } = this;
-    const [places, normals] = [this.#buffers[2]!, this.#buffers[3]!].map((buffer) => {
+    const [places, normals] = this.#written.map((buffer) => {
       const out = new Float32Array(3 * this.#count);
       gl.bindBuffer(gl.COPY_READ_BUFFER, buffer);
       gl.getBufferSubData(gl.COPY_READ_BUFFER, 0, out);
@@ -174,12 +143,35 @@ export class SurfaceBlend {
 
   dispose(): void {
     const { gl } = this;
-    for (const buffer of [...this.#buffers, ...this.#wanted]) gl.deleteBuffer(buffer);
+    for (const buffer of [...this.#rest, ...this.#wanted, ...this.#written]) gl.deleteBuffer(buffer);
     gl.deleteTexture(this.#fields);
     gl.deleteTexture(this.#offsets);
     gl.deleteVertexArray(this.#vertices);
     gl.deleteProgram(this.#program);
   }
+
+  /** Buffers that the vertices read from, at a location and the next. */
+  #feed({ places, normals }: DrawnShape, location: number): WebGLBuffer[] {
+    const { gl } = this;
+    gl.bindVertexArray(this.#vertices);
+    const buffers = [places, normals].map((array, i) => {
+      const buffer = filled(gl, array, gl.STATIC_DRAW);
+      gl.enableVertexAttribArray(location + i);
+      gl.vertexAttribPointer(location + i, 3, gl.FLOAT, false, 0, 0);
+      return buffer;
+    });
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, null);
+    return buffers;
+  }
+}
+
+/** A buffer, left bound. */
+function filled(gl: WebGL2RenderingContext, array: Float32Array, usage: GLenum): WebGLBuffer {
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+  gl.bufferData(gl.ARRAY_BUFFER, array, usage);
+  return buffer;
 }
 
 function texture(gl: WebGL2RenderingContext): WebGLTexture {

@@ -22,8 +22,6 @@ export interface BlendSurface {
 }
 
 export interface BlendPort {
-  /** Whether the graphics card can do this at all. */
-  readonly works: boolean;
   /**
    * The fields of the model on screen, kept on the graphics card until others come, or another model.
    *
