@@ -1,7 +1,7 @@
 // What the end-to-end tests have in common: a page with the app in it, hands to work it by, eyes to read its
 // state by. Hands are real input events only; `window.__lissom` is read, never written.
 
-import { test as base, type Download, expect, type Page } from '@playwright/test';
+import { type Browser, test as base, type Download, expect, type Page } from '@playwright/test';
 import type { BuiltApp } from '../../web/app/app';
 import { toIndices, type VertexSet } from '../../web/core/vertex-set';
 import type { DeformHandle, DeformStep } from '../../web/recipe/recipe';
@@ -178,6 +178,14 @@ export class Desk {
     await this.settled();
   }
 
+  /** The link that the share dialog copies; the dialog stays open. */
+  async copiedLink(): Promise<string> {
+    await this.command('share');
+    await this.page.getByRole('button', { name: 'Copy link' }).click();
+    await expect(this.page.getByText(/Link copied: [\d,]+ characters\./)).toBeVisible();
+    return this.page.evaluate(() => navigator.clipboard.readText());
+  }
+
   /** Chooses files in the system's dialog. */
   async choose(...files: readonly ChosenFile[]): Promise<void> {
     const asked = this.page.waitForEvent('filechooser');
@@ -190,6 +198,16 @@ export class Desk {
       })),
     );
     await this.read();
+  }
+
+  /** Chooses files whose model takes long to be prepared, and cancels that. */
+  async chooseAndCancel(...files: readonly ChosenFile[]): Promise<void> {
+    const opened = this.choose(...files);
+    const cancel = this.page.getByRole('button', { name: 'Cancel' });
+    await cancel.click({ timeout: 60_000 });
+    await opened;
+    await expect(cancel).toBeHidden();
+    expect(await this.page.locator('.toast.bad').count()).toBe(0);
   }
 
   /** Waits until a file that was chosen or dropped has been read. */
@@ -286,6 +304,21 @@ function listenForErrors(page: Page): string[] {
 }
 
 export { expect };
+
+/** What another visitor sees who opens an address. Their context is theirs to close. */
+export async function visitorAt(browser: Browser, address: string): Promise<Desk> {
+  const context = await browser.newContext({ viewport: SIZE });
+  const visitor = new Desk(await withoutPickers(await context.newPage()));
+  await visitor.open(forTest(address));
+  return visitor;
+}
+
+/** Tests do without motion and smoothing. */
+export function forTest(address: string): string {
+  const url = new URL(address);
+  url.searchParams.set('test', '1');
+  return url.href;
+}
 
 /** Bytes of a download. */
 export async function bytesOf(download: Download): Promise<Uint8Array> {

@@ -1,6 +1,6 @@
 import { readdirSync } from 'node:fs';
 import { encodeLink } from '../../web/recipe/link/link';
-import { bytesOf, Desk, expect, SIZE, test, withoutPickers } from './desk';
+import { bytesOf, Desk, expect, SIZE, test, visitorAt } from './desk';
 import { drawAt, enter, grownHere, hair, styleOf } from './hair-desk';
 
 // Each on a page of its own.
@@ -21,18 +21,13 @@ test.describe('a style that was drawn', () => {
     const sent = await hair(desk);
 
     await test.step('a friend opens it without a click', async () => {
-      await desk.command('share');
-      await page.getByRole('button', { name: 'Copy link' }).click();
-      await expect(page.getByText(/Link copied: [\d,]+ characters\./)).toBeVisible();
-      const link = await page.evaluate(() => navigator.clipboard.readText());
+      const link = await desk.copiedLink();
       expect(link.length).toBeLessThan(2000);
-      const context = await browser.newContext({ viewport: SIZE });
-      const visitor = new Desk(await withoutPickers(await context.newPage()));
-      await visitor.open(link.replace('#', '?test=1#'));
+      const visitor = await visitorAt(browser, link);
       const seen = await hair(visitor);
       expect(seen.hash).toBe(sent.hash);
       expect(seen.step).toEqual(sent.step);
-      await context.close();
+      await visitor.page.context().close();
       await page.keyboard.press('Escape');
     });
 

@@ -1,8 +1,7 @@
 import type { DeformWing } from '../../web/app/deform/wing';
-import { IDENTITY } from '../../web/core/affine';
 import { blended } from '../view/blend/reference';
 import { type Desk, diagonal, expect, gap, handleGap, moved, SIZE, test } from './desk';
-import { sheetObj } from './shapes';
+import { sheetObj, sheetRecipe } from './shapes';
 
 test.use({ viewport: SIZE });
 
@@ -78,33 +77,9 @@ test('a large model is prepared with progress and a way out, and dragged by isol
   test.slow();
   const { page } = desk;
   const n = 245;
-  /** A strip wide enough to take hold of. */
-  const side = (column: number) =>
-    Array.from({ length: 20 * (n + 1) }, (_, i) => Math.floor(i / 20) * (n + 1) + column + (i % 20));
-  const handle = (name: string, column: number) => ({
-    kind: 'region',
-    name,
-    vertices: side(column),
-    matrix: IDENTITY,
-  });
-  const recipe = {
-    lissom: 1,
-    models: { sheet: { file: 'sheet.obj' } },
-    steps: [
-      {
-        id: 'deform 1',
-        type: 'deform',
-        model: 'sheet',
-        handles: [handle('Left', 0), handle('Right', n - 19)],
-        method: 'isolines',
-      },
-    ],
-  };
-  const opened = desk.choose(['sheet.json', JSON.stringify(recipe)], ['sheet.obj', sheetObj(n)]);
-  await page.getByRole('button', { name: 'Cancel' }).click({ timeout: 60_000 });
-  await opened;
-  await expect(page.getByRole('button', { name: 'Cancel' })).toBeHidden();
-  expect(await page.locator('.toast.bad').count()).toBe(0);
+  // Strips wide enough to take hold of.
+  const recipe = sheetRecipe(n, 20, { method: 'isolines' });
+  await desk.chooseAndCancel(['sheet.json', recipe], ['sheet.obj', sheetObj(n)]);
 
   await page.getByRole('button', { name: /^Left/ }).click();
   await page.getByRole('textbox', { name: 'Move Y' }).fill('9');

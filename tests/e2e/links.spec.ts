@@ -1,13 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { encodeLink } from '../../web/recipe/link/link';
 import { parseRecipe } from '../../web/recipe/parse';
-import { Desk, diagonal, expect, gap, moved, SIZE, test, withoutPickers } from './desk';
+import { Desk, diagonal, expect, forTest, gap, moved, SIZE, test, visitorAt, withoutPickers } from './desk';
 import { BAR, BAR_RECIPE } from './shapes';
 
 test.use({ viewport: SIZE });
-
-/** Tests do without motion and smoothing. */
-const forTest = (link: string): string => link.replace('#', '?test=1#');
 
 test('a copied link shows another visitor the same shape at once and keeps what they had', async ({
   fresh: desk,
@@ -17,16 +14,11 @@ test('a copied link shows another visitor the same shape at once and keeps what 
   await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
   await desk.drag(await desk.grip(0), { x: 160, y: -10 });
   const sent = await desk.shown();
-  await desk.command('share');
-  await page.getByRole('button', { name: 'Copy link' }).click();
-  await expect(page.getByText(/Link copied: [\d,]+ characters\./)).toBeVisible();
-  const link = await page.evaluate(() => navigator.clipboard.readText());
+  const link = await desk.copiedLink();
   expect(link.length).toBeLessThan(2000);
   await desk.picture('share');
 
-  const context = await browser.newContext({ viewport: SIZE });
-  const visitor = new Desk(await withoutPickers(await context.newPage()));
-  await visitor.open(new URL('?test=1', page.url()).href);
+  const visitor = await visitorAt(browser, new URL('./', page.url()).href);
   await visitor.drag(await visitor.grip(1), { x: 40, y: -60 });
   const own = await visitor.shown();
   await expect(visitor.page.getByText(/^saved/)).toBeVisible();
@@ -57,7 +49,7 @@ test('a copied link shows another visitor the same shape at once and keeps what 
       .poll(async () => gap((await visitor.shown()).positions, own.positions))
       .toBeLessThan(1e-6 * diagonal(own.rest));
   });
-  await context.close();
+  await visitor.page.context().close();
 });
 
 test('a page opened with a link cut short starts as ever and says so', async ({ page, baseURL }) => {

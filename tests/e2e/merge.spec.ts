@@ -2,7 +2,7 @@ import type { MergeWing } from '../../web/app/merge/wing';
 import { readModel } from '../../web/io/formats';
 import { writeModel } from '../../web/io/index';
 import { bowl, dome, tube } from '../kernel/tubes';
-import { bytesOf, Desk, diagonal, expect, gap, SIZE, test, withoutPickers } from './desk';
+import { bytesOf, diagonal, expect, gap, SIZE, test, visitorAt } from './desk';
 import { choosePart, merged, pressMerge, spotOf, spots, strokeOver } from './merge-desk';
 
 // Each on a page of its own.
@@ -85,17 +85,12 @@ test.describe('a horse’s head on a dinosaur', () => {
     });
 
     await test.step('another visitor gets the same model from the link', async () => {
-      await desk.command('share');
-      await page.getByRole('button', { name: 'Copy link' }).click();
-      await expect(page.getByText(/Link copied: [\d,]+ characters\./)).toBeVisible();
-      const link = await page.evaluate(() => navigator.clipboard.readText());
+      const link = await desk.copiedLink();
       await page.keyboard.press('Escape');
-      const context = await browser.newContext({ viewport: SIZE });
-      const visitor = new Desk(await withoutPickers(await context.newPage()));
-      await visitor.open(link.replace('#', '?test=1#'));
+      const visitor = await visitorAt(browser, link);
       const seen = await merged(visitor);
       expect(gap(seen.positions, first.positions)).toBe(0);
-      await context.close();
+      await visitor.page.context().close();
     });
 
     await test.step('every stroke is undone', async () => {

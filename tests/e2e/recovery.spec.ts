@@ -1,5 +1,5 @@
 import { expect, gap, handleGap, moved, test } from './desk';
-import { sheetObj } from './shapes';
+import { sheetObj, sheetRecipe } from './shapes';
 
 test('a lost graphics card comes back with the picture, and the work was never at risk', async ({ desk }) => {
   const { page } = desk;
@@ -52,33 +52,8 @@ test('a long factorization can be cancelled, and the page goes on', async ({ des
   test.slow();
   const { page } = desk;
   const n = 245;
-  const side = (column: number) => Array.from({ length: n + 1 }, (_, j) => j * (n + 1) + column);
-  const rest = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-  const recipe = {
-    lissom: 1,
-    models: { sheet: { file: 'sheet.obj' } },
-    steps: [
-      {
-        id: 'deform 1',
-        type: 'deform',
-        model: 'sheet',
-        roi: 'all',
-        handles: [
-          { kind: 'region', name: 'Left', vertices: side(0), matrix: rest },
-          { kind: 'region', name: 'Right', vertices: side(n), matrix: rest },
-        ],
-        method: 'implicit',
-        options: { removeShear: true, scaleDetails: false, iterations: 1, coherenceRing: 2 },
-      },
-    ],
-    outputs: [],
-  };
-  const opened = desk.choose(['sheet.json', JSON.stringify(recipe)], ['sheet.obj', sheetObj(n)]);
-  const cancel = page.getByRole('button', { name: 'Cancel' });
-  await cancel.click({ timeout: 60_000 });
-  await opened;
-  await expect(cancel).toBeHidden();
-  expect(await page.locator('.toast.bad').count()).toBe(0);
+  const options = { coherenceRing: 2 };
+  await desk.chooseAndCancel(['sheet.json', sheetRecipe(n, 1, { options })], ['sheet.obj', sheetObj(n)]);
 
   await page.getByRole('button', { name: /^Left/ }).click();
   await page.getByRole('textbox', { name: 'Move Y' }).fill('9');

@@ -1,5 +1,7 @@
 // Small models as OBJ text: quads, in an order nobody would choose twice.
 
+import { IDENTITY } from '../../web/core/affine';
+
 /** A closed bar of `length` × `width` × `width` cells along x, all faces quads. */
 export function barObj(length: number, width: number): string {
   const index = new Map<string, number>();
@@ -45,6 +47,25 @@ export function sheetObj(n: number): string {
       lines.push(`f ${a} ${a + n + 1} ${a + n + 2} ${a + 1}`);
     }
   return `${lines.join('\n')}\n`;
+}
+
+/** A recipe of such a sheet, sheet.obj, held along both sides. @param width  of the strips, in vertices */
+export function sheetRecipe(n: number, width: number, step: object): string {
+  const strip = (name: string, from: number) => ({
+    kind: 'region',
+    name,
+    vertices: Array.from(
+      { length: width * (n + 1) },
+      (_, i) => Math.floor(i / width) * (n + 1) + from + (i % width),
+    ),
+    matrix: IDENTITY,
+  });
+  const handles = [strip('Left', 0), strip('Right', n + 1 - width)];
+  return JSON.stringify({
+    lissom: 1,
+    models: { sheet: { file: 'sheet.obj' } },
+    steps: [{ id: 'deform 1', type: 'deform', model: 'sheet', handles, ...step }],
+  });
 }
 
 const LENGTH = 16;

@@ -1,6 +1,6 @@
 import type { TransferWing } from '../../web/app/transfer/wing';
 import { toIndices } from '../../web/core/vertex-set';
-import { Desk, diagonal, expect, gap, SIZE, test, withoutPickers } from './desk';
+import { diagonal, expect, gap, SIZE, test, visitorAt } from './desk';
 import { ballOf, chooseTarget, spotOnSource, transferred } from './transfer-desk';
 
 test.slow();
@@ -81,18 +81,13 @@ test('a dinosaur’s pose is given to a horse: chosen, paired, followed live, un
   });
 
   await test.step('another visitor gets the same from the link', async () => {
-    await desk.command('share');
-    await page.getByRole('button', { name: 'Copy link' }).click();
-    await expect(page.getByText(/Link copied: [\d,]+ characters\./)).toBeVisible();
-    const link = await page.evaluate(() => navigator.clipboard.readText());
+    const link = await desk.copiedLink();
     await page.keyboard.press('Escape');
-    const context = await browser.newContext({ viewport: SIZE });
-    const visitor = new Desk(await withoutPickers(await context.newPage()));
-    await visitor.open(link.replace('#', '?test=1#'));
+    const visitor = await visitorAt(browser, link);
     const seen = await transferred(visitor);
     expect(seen.step).toEqual(given.step);
     expect(gap(seen.positions, given.positions)).toBe(0);
-    await context.close();
+    await visitor.page.context().close();
   });
 
   await test.step('the result is deformed further, and the transfer is still there', async () => {
