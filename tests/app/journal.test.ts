@@ -240,6 +240,24 @@ test('a tab that comes back has its work although another is just taking up what
   expect((await again(next)).app.document.recipe).toEqual(next.app.document.recipe);
 });
 
+test('a tab that comes back has its work although another took it up while the store was being read', async () => {
+  const tab = await edited();
+  move(tab, 5);
+  const { store } = tab.browser;
+  const next = tab.reloaded();
+  const other = new Tab(tab.browser);
+  const read = store.documents;
+  // The list is read before the other tab writes, and handed over after it.
+  store.documents = async () => {
+    store.documents = read;
+    const early = (await read()).map((each) => structuredClone(each));
+    await other.app.autosave.restorePoints();
+    return early;
+  };
+  expect(await next.app.autosave.restoreLast()).toBe(true);
+  expect(next.app.document.recipe).toEqual(tab.app.document.recipe);
+});
+
 test('what a living tab has in the journal is its own', async () => {
   const tab = await edited();
   move(tab, 5);

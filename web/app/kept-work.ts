@@ -48,12 +48,15 @@ export class KeptWork {
 
   /** Every one there is, newest first. @param open  the one that is open in this tab: its journal is being written */
   async documents(open: string): Promise<readonly StoredDocument[]> {
-    const { store, messages } = this.parts;
+    const { journal, store, messages } = this.parts;
     let stored: readonly StoredDocument[] = [];
     try {
+      const left = journal.ids();
       stored = await store.documents();
       this.#isSilent = false;
-      if (await this.#replay(open)) stored = await store.documents();
+      await this.#eachLeft(open, (entry) => this.#takeUp(entry));
+      // What was left is in the store by now, by this tab's doing or another's.
+      if (left.length > 0) stored = await store.documents();
     } catch (error) {
       messages.failed(error);
       this.#isSilent = true;
@@ -64,20 +67,11 @@ export class KeptWork {
     return [...all.values()].sort((a, b) => b.time - a.time);
   }
 
-  /** @returns whether the store has something newer now */
-  async #replay(open: string): Promise<boolean> {
-    let isNewer = false;
-    await this.#eachLeft(open, async (entry) => {
-      if (await this.#takeUp(entry)) isNewer = true;
-    });
-    return isNewer;
-  }
-
   /**
    * What tabs that are gone have left in the journal. Nothing is claimed: one of them may just be coming back, and its
    * document must be free for it. What it does meanwhile is newer, and never written over.
    */
-  async #eachLeft(open: string, takeUp: (entry: JournalEntry) => Promise<unknown>): Promise<void> {
+  async #eachLeft(open: string, takeUp: (entry: JournalEntry) => Promise<void>): Promise<void> {
     const { claims, journal, messages } = this.parts;
     for (const id of journal.ids()) {
       if (id === open || !(await claims.isFree(id))) continue;
@@ -90,27 +84,26 @@ export class KeptWork {
     }
   }
 
-  async #takeUp(entry: JournalEntry): Promise<boolean> {
+  async #takeUp(entry: JournalEntry): Promise<void> {
     const { journal, store } = this.parts;
     const known = await store.document(entry.id);
     if (known && (known.revision ?? 0) >= entry.revision) {
       journal.remove(entry.id, entry.revision);
-      return false;
+      return;
     }
     const kept = await replayed(entry, known);
     try {
       await store.write(kept.document, kept.blobs, true);
     } catch {
       this.#replayed.set(entry.id, kept); // it stays in the journal; the next save says what is wrong
-      return false;
+      return;
     }
     journal.remove(entry.id, entry.revision);
     this.#replayed.delete(entry.id);
-    return true;
   }
 
   /** The store may have a history of the document, which one without it must not replace later: a copy. */
-  async #takeUpUnseen(entry: JournalEntry): Promise<undefined> {
+  async #takeUpUnseen(entry: JournalEntry): Promise<void> {
     if (this.#replayed.has(entry.id)) return;
     const moved = this.parts.journal.move(entry, this.parts.newId());
     this.parts.onCopied(entry.id, moved.id);
