@@ -1,4 +1,5 @@
 #include "lissom/isoline/isoline_model.h"
+#include "lissom/isoline/taubin.h"
 
 #include "sessions.h"
 
@@ -35,6 +36,15 @@ TEST_CASE("a large mesh is worked on through a proxy, and what is linear on it c
     const Columns values = prepared.model.surface().mesh.points;
     const auto back = prepared.model.to_working(values);
     CHECK((back.cast<double>() - prepared.working.mesh.points).rowwise().norm().maxCoeff() < 0.01);
+}
+
+TEST_CASE("a proxy bends as stiffly as what it stands for: no needle outweighs the rest") {
+    const TriangleMesh mesh = shapes::bumpy_sphere(6);
+    const double bending = bending_energy(mesh);
+    for (const int vertices : {3000, 10000, 30000}) {
+        const Prepared prepared(mesh, {.proxy_vertices = vertices});
+        CHECK(bending_energy(prepared.model.surface().mesh) == doctest::Approx(bending).epsilon(0.2));
+    }
 }
 
 TEST_CASE("the fraction never falls and the last step says so") {

@@ -1,6 +1,7 @@
 #include "lissom/isoline/isoline_model.h"
 
 #include "lissom/isoline/taubin.h"
+#include "lissom/mesh/delaunay.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/stopwatch.h"
 
@@ -74,6 +75,8 @@ struct IsolineModel::State {
             surface = simplified(surface, std::max(target, now / 2));
             if (surface.mesh.triangle_count() > target && surface.mesh.triangle_count() < 0.95 * now) return;
         }
+        // Collapses leave needles, whose cotangents would outweigh all the rest of the energy.
+        if (is_proxy) flip_to_delaunay(surface.mesh);
         if (is_proxy) binder.emplace(fine_points(), fine_rings, surface);
         stage = is_proxy ? Stage::bind : Stage::operators;
     }

@@ -16,12 +16,18 @@ export function syncBlend(
   const { port, unmount } = viewport.mount(BLEND);
   let held: BlendSurface | null = null;
   let model: object | null = null;
+  /** On screen when the card could not hold a surface: the next one may be smaller. */
+  let tooMuch: object | null = null;
   const { blends } = own;
   blends.value = true;
   own.readBack = () => port.readBack();
   const stop = effect(() => {
     const shown = result.value;
     const blend = shown?.blend ?? null;
+    if (tooMuch && shown && shown.shown.opened !== tooMuch) {
+      tooMuch = null;
+      blends.value = true;
+    }
     if (!shown || !blend) {
       port.arrive();
       return;
@@ -30,7 +36,10 @@ export function syncBlend(
     if (held !== blend.surface || model !== shown.shown.opened) {
       held = blend.surface;
       model = shown.shown.opened;
-      if (!port.setSurface(held)) blends.value = false;
+      if (!port.setSurface(held)) {
+        tooMuch = model;
+        blends.value = false;
+      }
     }
     port.move(blend.offsets);
   });
