@@ -258,6 +258,37 @@ test('a tab that comes back has its work although another took it up while the s
   expect(next.app.document.recipe).toEqual(tab.app.document.recipe);
 });
 
+test('a tab that is reloaded waits for its last page to go, and has what that wrote last', async () => {
+  const tab = await edited();
+  move(tab, 5);
+  const next = tab.comingBack();
+  tab.browser.afterPatience = () => {
+    move(tab, 6);
+    tab.close();
+  };
+  expect(await next.app.autosave.restoreLast()).toBe(true);
+  expect(next.app.document.recipe).toEqual(tab.app.document.recipe);
+  expect((await again(next)).app.document.recipe).toEqual(tab.app.document.recipe);
+});
+
+test('a tab that was duplicated does not wait, and leaves the other its document', async () => {
+  const tab = await edited();
+  const copy = new Tab(tab.browser, tab.session);
+  tab.browser.afterPatience = () => expect.unreachable();
+  expect(await copy.app.autosave.restoreLast()).toBe(false);
+});
+
+test('a restore point that another tab wrote last is opened as that tab left it', async () => {
+  const tab = await edited();
+  const here = new Tab(tab.browser);
+  await here.openCube();
+  const point = (await here.app.autosave.restorePoints()).find(({ current }) => !current);
+  move(tab, 5);
+  tab.close();
+  await here.app.autosave.restore(point!.id);
+  expect(here.app.document.recipe).toEqual(tab.app.document.recipe);
+});
+
 test('what a living tab has in the journal is its own', async () => {
   const tab = await edited();
   move(tab, 5);

@@ -219,6 +219,8 @@ export class Browser {
   readonly store = new MemoryStore();
   readonly storage = new MemoryStorage();
   readonly claimed = new Map<string, Tab>();
+  /** What happens while a tab waits for a document. */
+  afterPatience: () => void = () => {};
   time = 1_000_000;
   ids = 0;
 }
@@ -239,6 +241,7 @@ export class Tab {
     readonly browser = new Browser(),
     readonly session = new MemoryStorage(),
     viewport: ViewportPort | null = null,
+    private readonly isReload = false,
   ) {
     const world: World = {
       kernel: this.kernel,
@@ -246,7 +249,8 @@ export class Tab {
       pane: () => null,
       store: browser.store,
       claims: {
-        claim: async (id) => {
+        claim: async (id, patience = 0) => {
+          if (patience > 0) browser.afterPatience();
           const owner = browser.claimed.get(id) ?? this;
           if (owner === this) browser.claimed.set(id, this);
           return owner === this;
@@ -272,6 +276,7 @@ export class Tab {
         this.link = link;
       },
       copy: async (text) => void this.copied.push(text),
+      isReload: this.isReload,
       persist: () => {},
       newId: () => `document-${++browser.ids}`,
       now: () => ++browser.time,
@@ -353,7 +358,12 @@ export class Tab {
   /** The same tab after a reload. */
   reloaded(): Tab {
     this.close();
-    return new Tab(this.browser, this.session);
+    return this.comingBack();
+  }
+
+  /** The next page of the same tab, whether this one is quite gone or not. */
+  comingBack(): Tab {
+    return new Tab(this.browser, this.session, null, true);
   }
 }
 

@@ -55,6 +55,8 @@ export interface World {
   /** Hears of the link that the open document came from, so that the address leads to no other one. */
   readonly settleAddress: (link: string | undefined) => void;
   readonly copy: (text: string) => Promise<void>;
+  /** Whether this tab was open before, and was reloaded. */
+  readonly isReload: boolean;
   readonly persist: () => void;
   readonly newId: () => string;
   readonly now: () => number;

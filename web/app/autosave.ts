@@ -24,6 +24,8 @@ const DELAY = 1000;
 export const LONGEST_DELAY = 2000;
 /** What could not be written is tried again after so long. */
 const RETRY = 5000;
+/** A page that was reloaded gives its document back within so long, on a machine that is busy. */
+const PATIENCE = 3000;
 
 export interface AutosaveParts {
   readonly state: State;
@@ -38,6 +40,8 @@ export interface AutosaveParts {
   readonly tab: Pick<Storage, 'getItem' | 'setItem'>;
   /** The address leads to what is open: with another one a reload would bring something else. */
   readonly settleAddress: (link: string | undefined) => void;
+  /** Whether this tab was open before: its last page may still be going. */
+  readonly isReload: boolean;
   /** Asks the browser not to evict what is kept. */
   readonly persist: () => void;
   readonly newId: () => string;
@@ -180,9 +184,14 @@ export class Autosave implements AutosaveService {
 
   async restore(id: string): Promise<void> {
     if (id === this.#id) return;
-    const stored = await this.#kept.document(id);
-    if (!stored) return;
-    const opened = await this.#kept.read(stored);
+    const known = await this.#kept.document(id);
+    if (!known) return;
+    const isMine = await this.parts.claims.claim(id);
+    const stored = isMine ? await this.#kept.newest(known) : known;
+    const opened = await this.#kept.read(stored).catch((error: unknown) => {
+      if (isMine) this.parts.claims.release(id);
+      throw error;
+    });
     if (await this.setAside()) this.parts.messages.toast('info', t('toast.kept'));
     await this.#lay(stored, opened);
   }
@@ -197,13 +206,16 @@ export class Autosave implements AutosaveService {
     const candidates = link
       ? all.filter((each) => each === mine && each.link === link)
       : [mine, ...all.filter((each) => each.kind === 'auto')].filter((each) => each !== undefined);
-    for (const stored of candidates) {
-      if (!(await this.parts.claims.claim(stored.id))) continue;
+    for (const candidate of candidates) {
+      const patience = candidate === mine && this.parts.isReload ? PATIENCE : 0;
+      if (!(await this.parts.claims.claim(candidate.id, patience))) continue;
       try {
+        const stored = await this.#kept.newest(candidate);
+        if (stored.id !== candidate.id) this.parts.claims.release(candidate.id);
         await this.#lay(stored, await this.#kept.read(stored));
         return true;
       } catch (error) {
-        this.parts.claims.release(stored.id);
+        this.parts.claims.release(candidate.id);
         this.parts.messages.failed(error);
       }
     }

@@ -26,6 +26,9 @@ export function browserWorld(parts: Pick<World, 'kernel' | 'viewport' | 'pane'>)
         history.replaceState(history.state, '', page() + location.search + link);
     },
     copy: (text) => navigator.clipboard.writeText(text),
+    isReload: performance
+      .getEntriesByType('navigation')
+      .some((entry) => (entry as PerformanceNavigationTiming).type === 'reload'),
     persist: () => void navigator.storage?.persist?.(),
     newId,
     now: () => Date.now(),

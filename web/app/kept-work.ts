@@ -61,7 +61,7 @@ export class KeptWork {
       messages.failed(error);
       this.#isSilent = true;
     }
-    if (this.#isSilent) await this.#eachLeft(open, (entry) => this.#takeUpUnseen(entry));
+    if (this.#isSilent) await this.#eachLeft(open, (entry) => this.#takeUpUnseen(entry).then(() => {}));
     const all = new Map(stored.map((each) => [each.id, each]));
     for (const [id, { document }] of this.#replayed) all.set(id, document);
     return [...all.values()].sort((a, b) => b.time - a.time);
@@ -102,12 +102,34 @@ export class KeptWork {
     this.#replayed.delete(entry.id);
   }
 
-  /** The store may have a history of the document, which one without it must not replace later: a copy. */
-  async #takeUpUnseen(entry: JournalEntry): Promise<void> {
-    if (this.#replayed.has(entry.id)) return;
+  /**
+   * The store may have a history of the document, which one without it must not replace later: a copy.
+   * @returns its name
+   */
+  async #takeUpUnseen(entry: JournalEntry): Promise<string> {
+    if (this.#replayed.has(entry.id)) return entry.id;
     const moved = this.parts.journal.move(entry, this.parts.newId());
     this.parts.onCopied(entry.id, moved.id);
     this.#replayed.set(moved.id, await replayed(moved));
+    return moved.id;
+  }
+
+  /**
+   * The newest there is of a document that this tab has claimed. While its last page was still going, what that had
+   * left in the journal was not there to be taken up.
+   */
+  async newest(stored: StoredDocument): Promise<StoredDocument> {
+    const entry = this.parts.journal.read(stored.id);
+    if (!entry || entry.revision <= (stored.revision ?? 0)) return stored;
+    let { id } = entry;
+    try {
+      await this.#takeUp(entry);
+    } catch (error) {
+      this.parts.messages.failed(error);
+      this.#isSilent = true;
+      id = await this.#takeUpUnseen(entry);
+    }
+    return (await this.document(id)) ?? stored;
   }
 
   async document(id: string): Promise<StoredDocument | undefined> {

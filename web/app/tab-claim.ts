@@ -1,8 +1,11 @@
 // Which tab a stored document belongs to: one at a time, so that two tabs never write over each other.
 
 export interface Claims {
-  /** @returns false while another tab has it */
-  claim(id: string): Promise<boolean>;
+  /**
+   * @param patience  milliseconds to wait for a tab that has it and may just be going
+   * @returns false while another tab has it
+   */
+  claim(id: string, patience?: number): Promise<boolean>;
   /** Whether no other tab has it; takes nothing, so that it is never in the way of the tab whose it is. */
   isFree(id: string): Promise<boolean>;
   release(id: string): void;
@@ -28,12 +31,13 @@ export class LockClaims implements Claims {
 
   constructor(private readonly locks: LockManager) {}
 
-  async claim(id: string): Promise<boolean> {
+  async claim(id: string, patience = 0): Promise<boolean> {
     await this.#releasing.get(id);
     if (this.#held.has(id)) return true;
+    const options = patience > 0 ? { signal: AbortSignal.timeout(patience) } : { ifAvailable: true };
     return new Promise((answer) => {
       const over: Promise<unknown> = this.locks
-        .request(`${NAME}:${id}`, { ifAvailable: true }, (lock) => {
+        .request(`${NAME}:${id}`, options, (lock) => {
           answer(lock !== null);
           if (!lock) return undefined;
           return new Promise<void>((release) => {
@@ -43,7 +47,7 @@ export class LockClaims implements Claims {
             });
           });
         })
-        .catch(() => answer(true));
+        .catch((error: unknown) => answer(!isTimeout(error)));
     });
   }
 
@@ -64,6 +68,9 @@ export class LockClaims implements Claims {
   /** The browser never gives a lock to two tabs. */
   onLost(): void {}
 }
+
+const isTimeout = (error: unknown): boolean =>
+  error instanceof DOMException && (error.name === 'TimeoutError' || error.name === 'AbortError');
 
 type Message =
   | { readonly ask: string; readonly from: string }
@@ -92,9 +99,14 @@ export class ChannelClaims implements Claims {
     channel.onmessage = ({ data }: MessageEvent<Message>) => this.#hear(data);
   }
 
-  async claim(id: string): Promise<boolean> {
+  async claim(id: string, patience = 0): Promise<boolean> {
     if (this.#held.has(id)) return true;
-    const isFree = await this.#answer(id, this.#asking, { ask: id, from: this.tab });
+    const late = performance.now() + patience;
+    let isFree = await this.#answer(id, this.#asking, { ask: id, from: this.tab });
+    while (!isFree && performance.now() < late) {
+      await new Promise((go) => setTimeout(go, ANSWER_TIME));
+      isFree = await this.#answer(id, this.#asking, { ask: id, from: this.tab });
+    }
     if (isFree) this.#held.add(id);
     return isFree;
   }
