@@ -176,6 +176,13 @@ function instrument(): void {
     }
   }
   Object.assign(window, { Worker: Watched, __instruments: instruments });
+  // Nobody looks at these pictures, and software takes most of a trial's time to draw them.
+  const nothing = () => {};
+  Object.assign(WebGL2RenderingContext.prototype, {
+    drawArrays: nothing,
+    drawElements: nothing,
+    drawElementsInstanced: nothing,
+  });
   let app: typeof window.__lissom | undefined;
   Object.defineProperty(window, '__lissom', {
     configurable: true,
