@@ -58,7 +58,8 @@ export const faults: readonly Fault[] = [
 export async function end(page: Page, death: Death): Promise<void> {
   if (death === 'close') await page.close({ runBeforeUnload: false });
   else if (death === 'crash') {
-    const crashed = page.waitForEvent('crash');
+    // Amid a navigation it may be the process of the page before that crashes: then closing ends it.
+    const crashed = page.waitForEvent('crash', { timeout: 5000 }).catch(nothing);
     const browser = await page.context().newCDPSession(page);
     browser.send('Page.crash').catch(nothing); // it never answers
     await crashed;

@@ -108,7 +108,8 @@ class Course {
     await end(desk.page, death);
     this.story.push(death);
     const commits = [...victim.commits(before.load)];
-    await making?.made;
+    // One that was cut short may have gone on in the next page, and found nothing there that it was about.
+    await (isOver ? making?.made : making?.made.catch(nothing));
     const isReadable = before.saved !== 'saved';
     if (heal && !isReadable) await heal();
     const again = await this.#reopened(desk.page, death);
