@@ -2,6 +2,7 @@
 
 import type { Model } from '../../web/core/model';
 import type { Args, CallOptions, KernelPort, Method, Result } from '../../web/kernel/contract';
+import type { KernelId } from '../../web/kernel/contract/model';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
@@ -51,6 +52,7 @@ export function kernelGenerator(trial: KernelTrial): Generator {
         });
       } finally {
         calls += counted.calls - before;
+        await counted.releaseAll();
       }
     },
   };
@@ -128,8 +130,13 @@ function brokenModel(random: Random, model: Model, done: string[]): Model {
   return { ...model, positions, faceVertices };
 }
 
+const isHeld = (answer: unknown): answer is { readonly id: KernelId } =>
+  typeof answer === 'object' && answer !== null && 'id' in answer;
+
 class CountedKernel implements KernelPort {
   calls = 0;
+  /** What the kernel holds: a trial leaves nothing to the next one. */
+  readonly #held = new Set<KernelId>();
 
   constructor(private readonly port: KernelPort) {}
 
@@ -137,8 +144,16 @@ class CountedKernel implements KernelPort {
     return this.port.epoch;
   }
 
-  call<M extends Method>(method: M, args: Args<M>, options?: CallOptions): Promise<Result<M>> {
+  async call<M extends Method>(method: M, args: Args<M>, options?: CallOptions): Promise<Result<M>> {
     this.calls++;
-    return this.port.call(method, args, options);
+    const answer = await this.port.call(method, args, options);
+    if (method === 'release') this.#held.delete((args as Args<'release'>).id);
+    else if (isHeld(answer)) this.#held.add(answer.id);
+    return answer;
+  }
+
+  async releaseAll(): Promise<void> {
+    for (const id of this.#held) await this.port.call('release', { id });
+    this.#held.clear();
   }
 }
