@@ -2,6 +2,8 @@
 
 #include "lissom/mesh/types.h"
 
+#include <Eigen/Geometry>
+
 #include <array>
 #include <optional>
 #include <vector>
