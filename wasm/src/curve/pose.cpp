@@ -128,15 +128,11 @@ CurveSession::State::Posed CurveSession::State::posed(std::span<const CurvePostu
 
 int CurveSession::curve_count() const { return static_cast<int>(state_->specs.size()); }
 
-Points CurveSession::positions(std::span<const CurvePosture> postures) const {
-    Points result = state_->given();
-    positions_into(postures, result);
-    return result;
-}
-
-void CurveSession::positions_into(std::span<const CurvePosture> postures, Points& out) const {
+PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
     const State& s = *state_;
     const State::Posed posed = s.posed(postures);
+    PosedPoints result{s.given(), posed.strain};
+    Points& out = result.positions;
     const int count = curve_count();
     if (s.options.encoding == CurveEncoding::slabs) {
         std::vector<SlabTable::Planes> planes;
@@ -154,7 +150,7 @@ void CurveSession::positions_into(std::span<const CurvePosture> postures, Points
             }
             out.row(v) = (sum + left * s.rest.row(v).transpose() + s.centre).transpose();
         }
-        return;
+        return result;
     }
     for (int c = 0; c < count; ++c) pose_singles(s.singles[c], posed.rows[c], s.centre, s.rest, out);
     std::vector<bool> plain;
@@ -169,6 +165,7 @@ void CurveSession::positions_into(std::span<const CurvePosture> postures, Points
         const Vector3d turned = blend.point + 2 * axis.cross(axis.cross(blend.point) + r[3] * blend.point);
         out.row(v) = (turned + 2 * (r[3] * d.head<3>() - d[3] * axis + axis.cross(d.head<3>())) + s.centre).transpose();
     }
+    return result;
 }
 
 CurveStrain CurveSession::strain(std::span<const CurvePosture> postures) const { return state_->posed(postures).strain; }

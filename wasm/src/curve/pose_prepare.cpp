@@ -215,7 +215,7 @@ void CurveSession::State::find_region(int c) {
     }
     if (regions[c].empty()) {
         const auto known = std::find_if(warnings.begin(), warnings.end(), [](const Finding& f) { return f.code == "empty-region"; });
-        Finding& finding = known == warnings.end() ? warnings.emplace_back(Finding{.code = "empty-region"}) : *known;
+        Finding& finding = known == warnings.end() ? warnings.emplace_back(Finding{"empty-region", 0, {}, false}) : *known;
         ++finding.count;
         if (finding.examples.size() < 8) finding.examples.push_back(c);
     }

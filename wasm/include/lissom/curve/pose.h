@@ -45,6 +45,11 @@ struct CurveStrain {
     double tilt = 0; ///< most that the guard turned a plane by, degrees
 };
 
+struct PosedPoints {
+    Points positions; ///< n×3, source space
+    CurveStrain strain;
+};
+
 /// A pose as data for a vertex shader: `k_texels` texels of four numbers a row, rows of a curve one after the other, curves likewise.
 /// x′ = c + q(Σ w_k P_k (x − c)), with P from texels 2–4 (rows of a 3×4) and q = Σ w_k (real, dual), texels 0 and 1, each of the sign that
 /// agrees with the first, then of unit length; all interpolated between two rows; what the weights leave to 1 is the identity's.
@@ -95,9 +100,9 @@ public:
     /// n×3 source positions. Vertices that no curve moves are as given, bit for bit.
     /// @param postures  one per curve, source space; a child's in the frame of its parent at rest
     /// @throws InvalidInput `posed-points`, `curve-twist`, `curve-scale`, `non-finite-curve`, `curve-count`
-    [[nodiscard]] Points positions(std::span<const CurvePosture> postures) const;
-    /// The same into what is there: n×3.
-    void positions_into(std::span<const CurvePosture> postures, Points& positions) const;
+    [[nodiscard]] Points positions(std::span<const CurvePosture> postures) const { return posed(postures).positions; }
+    /// The same, and what it strains.
+    [[nodiscard]] PosedPoints posed(std::span<const CurvePosture> postures) const;
     [[nodiscard]] CurveStrain strain(std::span<const CurvePosture> postures) const;
     [[nodiscard]] CurveTable table(std::span<const CurvePosture> postures) const;
     [[nodiscard]] CurveAttributes attributes() const;
