@@ -97,18 +97,14 @@ export interface CurveKernel {
   curveTable(args: { curves: KernelId; postures: readonly CurvePosture[] }): CurveTable;
 
   /** Unit normals of a pose from those at rest, 3 per source vertex. */
-  curveNormals(args: {
-    curves: KernelId;
-    postures: readonly CurvePosture[];
+  curveNormals(args: { curves: KernelId; postures: readonly CurvePosture[]; normals: Float64Array }): {
     normals: Float64Array;
-  }): { normals: Float64Array };
+  };
 
   /** How far a drag may go in a straight line before the surface folds: a share from 0 to 1. */
-  curveDragLimit(args: {
-    curves: KernelId;
-    from: readonly CurvePosture[];
-    to: readonly CurvePosture[];
-  }): { share: number };
+  curveDragLimit(args: { curves: KernelId; from: readonly CurvePosture[]; to: readonly CurvePosture[] }): {
+    share: number;
+  };
 
   /** What each curve takes over from its parent: column-major 4×4, one after the other, from its own space to that of the pose. */
   curveParents(args: { curves: KernelId; postures: readonly CurvePosture[] }): { matrices: Float64Array };

@@ -23,10 +23,7 @@ export const MAX_SCALE = 100;
 /** Seconds. */
 const MAX_TIME = 3600;
 
-const controls = v.pipe(
-  listUpTo(MAX_CONTROLS, vec3),
-  v.minLength(2, 'two control points or more'),
-);
+const controls = v.pipe(listUpTo(MAX_CONTROLS, vec3), v.minLength(2, 'two control points or more'));
 
 /** A rotation, (x, y, z, w); its length does not matter. */
 const quaternion = v.pipe(

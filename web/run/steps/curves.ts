@@ -29,13 +29,16 @@ export const curvesRunner = {
     const known = new Set<string>();
     for (const [at, curve] of step.curves.entries()) {
       const place = `${path}.curves[${at}]`;
-      if (known.has(curve.id)) throw wrong(`${place}.id: there are two curves ${quoted(curve.id)}; rename one.`);
+      if (known.has(curve.id))
+        throw wrong(`${place}.id: there are two curves ${quoted(curve.id)}; rename one.`);
       known.add(curve.id);
       checkPosture(curve, curve.rest.length, place);
       const segments = curve.rest.length - 1;
       const lost = curve.rigid?.find((segment) => segment >= segments);
       if (lost !== undefined)
-        throw wrong(`${place}.rigid: there is no segment ${lost}; the curve has segments 0 to ${segments - 1}.`);
+        throw wrong(
+          `${place}.rigid: there is no segment ${lost}; the curve has segments 0 to ${segments - 1}.`,
+        );
       if (curve.region && input) checkVertices(curve.region, `${place}.region`, input);
     }
     checkLinks(step, path, known);
@@ -107,7 +110,12 @@ const specOf = ({ rest, rigid, region, anchor }: Curve, vertices: number): Curve
 });
 
 /** A posture as the kernel takes it. */
-export const postureOf = ({ posed, base, twist, scale }: Omit<Curve, 'id' | 'kind' | 'rest'>): CurvePosture => ({
+export const postureOf = ({
+  posed,
+  base,
+  twist,
+  scale,
+}: Omit<Curve, 'id' | 'kind' | 'rest'>): CurvePosture => ({
   points: Float64Array.from(posed?.flat() ?? []),
   base: Float64Array.from(base ?? []),
   twist: Float64Array.from(twist ?? []),
@@ -116,7 +124,11 @@ export const postureOf = ({ posed, base, twist, scale }: Omit<Curve, 'id' | 'kin
 
 function linksOf({ curves, links }: CurvesStep): CurveLink[] {
   const number = new Map(curves.map(({ id }, at) => [id, at]));
-  return links.map(({ child, parent, at }) => ({ child: number.get(child)!, parent: number.get(parent)!, at }));
+  return links.map(({ child, parent, at }) => ({
+    child: number.get(child)!,
+    parent: number.get(parent)!,
+    at,
+  }));
 }
 
 const counted = new WeakMap<Float64Array, number>();
@@ -124,7 +136,13 @@ const counted = new WeakMap<Float64Array, number>();
 async function countCrossings(context: StepContext, positions: Float64Array) {
   const [input] = context.inputs as [ModelResult];
   const count = async (at: Float64Array) =>
-    (await context.kernel.call('selfIntersections', { model: input.opened.id, positions: at }, signalOf(context))).pairs;
+    (
+      await context.kernel.call(
+        'selfIntersections',
+        { model: input.opened.id, positions: at },
+        signalOf(context),
+      )
+    ).pairs;
   const rest = input.model.positions;
   const before = counted.get(rest) ?? (await count(rest));
   counted.set(rest, before);
@@ -151,7 +169,8 @@ function checkLinks({ links }: CurvesStep, path: string, known: ReadonlySet<stri
       throw wrong(`${place}.child: ${quoted(child)} has a parent already; a curve hangs on one other.`);
     parents.set(child, parent);
     for (let up: string | undefined = parent; up !== undefined; up = parents.get(up))
-      if (up === child) throw wrong(`${place}: this link closes a ring at ${quoted(child)}; remove one of the links.`);
+      if (up === child)
+        throw wrong(`${place}: this link closes a ring at ${quoted(child)}; remove one of the links.`);
   }
 }
 
@@ -161,7 +180,8 @@ function checkPoses({ curves, poses }: CurvesStep, path: string): void {
     for (const [k, posture] of pose.curves.entries()) {
       const place = `${path}.poses[${at}].curves[${k}]`;
       const count = controls.get(posture.id);
-      if (count === undefined) throw wrong(`${place}.id: there is no curve ${quoted(posture.id)} in this step.`);
+      if (count === undefined)
+        throw wrong(`${place}.id: there is no curve ${quoted(posture.id)} in this step.`);
       checkPosture(posture, count, place);
     }
 }
