@@ -38,6 +38,7 @@ std::vector<lissom::CurveSpec> specs(const val& list) {
     std::vector<lissom::CurveSpec> result;
     for (const val& given : vecFromJSArray<val>(list)) {
         lissom::CurveSpec spec{.rest = points(given["rest"])};
+        spec.role = named<lissom::CurveRole>(given["role"], {{"limb", lissom::CurveRole::limb}, {"contour", lissom::CurveRole::contour}});
         spec.rigid = indices(given["rigid"]);
         if (!given["region"].isNull()) spec.region = indices(given["region"]);
         if (!given["anchor"].isNull()) spec.anchor = end_named(given["anchor"]);

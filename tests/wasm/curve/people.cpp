@@ -31,8 +31,8 @@ std::map<std::string, Bone> bones_of(const std::string& person) {
         std::stringstream text;
         text << file.rdbuf();
         const std::string all = text.str();
-        const std::string three = R"(\[\s*([-\d.e]+),\s*([-\d.e]+),\s*([-\d.e]+)\s*\])";
-        const std::regex form(R"("name":\s*"([\w.-]+)",\s*"parent":\s*(?:null|"([\w.-]+)"),\s*"head":\s*)" + three + R"(,\s*"tail":\s*)" + three);
+        const std::string three = R"re(\[\s*([-\d.e]+),\s*([-\d.e]+),\s*([-\d.e]+)\s*\])re";
+        const std::regex form(R"re("name":\s*"([\w.-]+)",\s*"parent":\s*(?:null|"([\w.-]+)"),\s*"head":\s*)re" + three + R"re(,\s*"tail":\s*)re" + three);
         for (std::sregex_iterator m(all.begin(), all.end(), form), end; m != end; ++m) {
             const auto number = [&](int k) { return std::stod((*m)[k]); };
             found[(*m)[1]] = {(*m)[2], {number(3), number(4), number(5)}, {number(6), number(7), number(8)}};

@@ -119,11 +119,34 @@ CurveSession::State::Posed CurveSession::State::posed(std::span<const CurvePostu
             posture.points = ((posture.points * map.leftCols<3>().transpose()).rowwise() + map.col(3).transpose()).eval();
             posture.base = Eigen::Quaterniond(map.leftCols<3>()) * posture.base;
         }
+        if (is_contour(c)) {
+            result.rows[c] = pull(c, posture, result.from_parent[c]);
+            continue;
+        }
         result.rows[c] = curves[c].pose(posture, supports[c], options.encoding == CurveEncoding::kernel ? options.guard : CurveGuard::none);
         result.strain.bend = std::max(result.strain.bend, result.rows[c].bend);
         result.strain.tilt = std::max(result.strain.tilt, result.rows[c].tilt);
     }
     return result;
+}
+
+CurveRows CurveSession::State::pull(int c, const CurvePosture& posture, const Matrix34& from_parent) const {
+    CurveRows rows;
+    const SplineCurve moved = curves[c].posed_curve(posture);
+    const SplineCurve& drawn = curves[c].curve();
+    Matrix34 identity = Matrix34::Zero();
+    identity.leftCols<3>().setIdentity();
+    const int fine = (k_rows - 1) * EncodedCurve::k_finer + 1;
+    for (int j = 0; j < fine; ++j) { // where links are fixed to the line
+        const double t = drawn.parameter(drawn.length() * j / (fine - 1));
+        rows.fine.push_back({moved.point(t), from_parent.leftCols<3>() * curves[c].frame_at(static_cast<double>(j) / EncodedCurve::k_finer).axes});
+        if (j % EncodedCurve::k_finer != 0) continue;
+        const Vector3d place = drawn.point(t);
+        rows.rigid.emplace_back(from_parent.leftCols<3>(), moved.point(t) - from_parent.leftCols<3>() * place);
+        rows.before.push_back(identity);
+        rows.affine.push_back(rows.rigid.back().matrix());
+    }
+    return rows;
 }
 
 int CurveSession::curve_count() const { return static_cast<int>(state_->specs.size()); }

@@ -2,6 +2,7 @@
 
 #include "pose_state.h"
 
+#include "lissom/curve/line_weights.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/stopwatch.h"
 
@@ -84,6 +85,9 @@ void CurveSession::State::begin() {
     if (count == 0) throw InvalidInput("no-curve", "There is no curve to pose. Draw one.");
     check_options(options);
     order = link_order(count, links);
+    order.linked.assign(count, false); // a contour on a limb makes no skeleton
+    for (const CurveLink& link : links)
+        if (!is_contour(link.child) && !is_contour(link.parent)) order.linked[link.child] = order.linked[link.parent] = true;
     for (const CurveSpec& spec : specs) {
         (void)spline(spec.rest, spec.rigid); // refuses what is none
         if (!spec.region) continue;
@@ -115,7 +119,8 @@ bool CurveSession::step() {
         if (s.model) s.surface = std::make_unique<CurveSurface>(s.model);
         s.seconds.regions += watch.lap();
     } else if (s.phase <= count) {
-        s.find_region(s.phase - 1);
+        if (s.is_contour(s.phase - 1)) s.find_pull(s.phase - 1);
+        else s.find_region(s.phase - 1);
         s.seconds.regions += watch.lap();
     } else if (s.phase == count + 1) {
         s.assign();
@@ -126,6 +131,42 @@ bool CurveSession::step() {
 }
 
 double CurveSession::fraction() const { return std::min(1.0, static_cast<double>(state_->phase) / static_cast<double>(state_->specs.size() + 2)); }
+
+void CurveSession::State::find_pull(int c) {
+    constexpr int samples = 200;
+    const auto line_of = [&](int curve) {
+        const SplineCurve drawn = spline(specs[curve].rest, specs[curve].rigid);
+        Polyline line;
+        for (int k = 0; k < samples; ++k) line.push_back(drawn.point(drawn.parameter(drawn.length() * k / (samples - 1))));
+        return line;
+    };
+    CurveField& field = fields[c];
+    field.side.assign(place_count(), CurveSide::none);
+    field.row.assign(place_count(), 0);
+    field.distance.assign(place_count(), 0); // of a contour: the weight
+    std::vector<Polyline> others;
+    for (int other = 0; other < static_cast<int>(specs.size()); ++other)
+        if (other != c && is_contour(other)) others.push_back(line_of(other));
+    const LineWeights found = line_weights(*surface, line_of(c), others);
+    std::vector<bool> named(static_cast<std::size_t>(rest.rows()), !specs[c].region);
+    if (specs[c].region)
+        for (const int v : *specs[c].region) named[v] = true;
+    for (std::size_t k = 0; k < found.vertices.size(); ++k) {
+        const int v = found.vertices[k], p = model->working_of_source[v];
+        if (p < 0 || !named[v]) continue;
+        field.side[p] = CurveSide::inside;
+        field.row[p] = static_cast<float>(found.along[k] * k_last);
+        field.distance[p] = static_cast<float>(found.weights[k]);
+        regions[c].push_back(v);
+    }
+    EncodedCurveOptions encoding;
+    encoding.rigid = specs[c].rigid;
+    encoding.anchor = specs[c].anchor.value_or(CurveEnd::start);
+    const SplineCurve drawn = spline(specs[c].rest, specs[c].rigid);
+    encoding.radius.assign(specs[c].rest.rows(), drawn.length() / 10); // read by nothing: a line has no width
+    radii[c] = encoding.radius;
+    curves.emplace_back(less(specs[c].rest, centre), encoding);
+}
 
 void CurveSession::State::find_region(int c) {
     const CurveSpec& spec = specs[c];
@@ -251,13 +292,19 @@ void CurveSession::State::assign() {
             const CurveSide side = fields[c].side[p];
             if (side >= CurveSide::start) ++sizes[c][static_cast<int>(side) - static_cast<int>(CurveSide::start)];
         }
-    const bool some_linked = std::find(order.linked.begin(), order.linked.end(), true) != order.linked.end();
+    bool some_linked = false; // limbs, that is
+    int limbs = 0;
+    for (int c = 0; c < count; ++c) {
+        some_linked = some_linked || (order.linked[c] && !is_contour(c));
+        limbs += !is_contour(c);
+    }
     for (int p = 0; p < places; ++p) {
         if (!place(p).allFinite()) continue;
         int best = count, free_end = count, linked = count, left = count;
         double nearest = std::numeric_limits<double>::infinity(), nearest_linked = nearest, nearest_left = nearest;
         int smallest = std::numeric_limits<int>::max();
         for (int c = 0; c < count; ++c) {
+            if (is_contour(c)) continue; // owns nothing: it pulls what others own
             const CurveField& field = fields[c];
             const CurveSide side = field.side[p];
             const double gap = std::isinf(field.distance[p]) ? std::numeric_limits<double>::infinity() : field.distance[p] - curves[c].radius_at(field.row[p]);
@@ -302,17 +349,18 @@ void CurveSession::State::assign() {
     double rho = 0;
     int measures = 0;
     for (const CurveLink& link : links) {
+        if (!order.linked[link.child]) continue;
         const std::vector<double>& radius = radii[link.child];
         rho += curves[link.child].options().anchor == CurveEnd::start ? radius.front() : radius.back();
         ++measures;
     }
-    if (links.empty())
+    if (measures == 0)
         for (const std::vector<double>& radius : radii) {
             rho += *std::min_element(radius.begin(), radius.end());
             ++measures;
         }
     rho *= options.blend / measures;
-    if (!model || count == 1 || options.blending == CurveBlending::gaussian) shares = whole_shares(owner);
+    if (!model || limbs < 2 || options.blending == CurveBlending::gaussian) shares = whole_shares(owner);
     else if (options.blending == CurveBlending::geodesic) shares = geodesic_shares(model->mesh, owner, rho / model->scale);
     else shares = diffused_shares(model->mesh, owner, rho / model->scale);
     encode(shares, owner);
@@ -323,7 +371,7 @@ void CurveSession::State::encode(const OwnerShares& shares, std::span<const int>
     const bool in_slabs = options.encoding == CurveEncoding::slabs;
     std::vector<std::vector<double>> between(count);
     for (int c = 0; c < count; ++c)
-        if (model && !order.linked[c]) between[c] = between_shares(model->mesh, fields[c]);
+        if (model && !order.linked[c] && !is_contour(c)) between[c] = between_shares(model->mesh, fields[c]);
 
     struct Influence {
         int curve;
@@ -366,6 +414,15 @@ void CurveSession::State::encode(const OwnerShares& shares, std::span<const int>
                                       static_cast<float>(of_child ? parent.row_of(link.at) : child.row_of(child_t)), given});
             }
             influences[offsets.back()].weight *= rest_share;
+        }
+        double pulled = 0; // by contours; what owners have is less by as much
+        for (int c = 0; c < count; ++c)
+            if (is_contour(c) && fields[c].side[p] == CurveSide::inside) pulled += fields[c].distance[p];
+        if (pulled > 0) {
+            const double kept = std::max(0.0, 1 - pulled);
+            for (std::size_t i = offsets.back(); i < influences.size(); ++i) influences[i].weight *= kept;
+            for (int c = 0; c < count; ++c)
+                if (is_contour(c) && fields[c].side[p] == CurveSide::inside) influences.push_back({c, fields[c].row[p], fields[c].distance[p] / std::max(1.0, pulled)});
         }
         // Four slots: `between` may have made more of them.
         const auto first = influences.begin() + offsets.back();

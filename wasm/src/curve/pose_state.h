@@ -35,6 +35,7 @@ struct CurveSession::State {
     std::vector<CurveLink> links;
     CurveOptions options;
     LinkOrder order;
+    [[nodiscard]] bool is_contour(int curve) const { return model && specs[curve].role == CurveRole::contour; }
 
     // What it is made of. ---------------------------------------------------------------------------------------
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
@@ -63,6 +64,9 @@ struct CurveSession::State {
 
     void begin();
     void find_region(int curve);
+    void find_pull(int curve);
+    /// What the whole of a contour does: moves, without turning, in the frame of its parent.
+    [[nodiscard]] CurveRows pull(int curve, const CurvePosture& posture, const Matrix34& from_parent) const;
     void assign();
     void encode(const OwnerShares& shares, std::span<const int> owner);
 

@@ -30,21 +30,37 @@ bool inside(const std::array<Vector2d, 3>& t, const Vector2d& p) {
     return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
 }
 
-/// Of triangles in one plane: seen along the axis they face most.
-bool meet_in_plane(const Corners& a, const Corners& b) {
+/// Points of one plane, seen along the axis that a triangle in it faces most.
+template <std::size_t N>
+std::array<Vector2d, N> flattened(const std::array<Vector3d, N>& points, int axis) {
+    std::array<Vector2d, N> result;
+    for (std::size_t k = 0; k < N; ++k) result[k] = {points[k][(axis + 1) % 3], points[k][(axis + 2) % 3]};
+    return result;
+}
+
+int facing_axis(const Vector3d& normal) {
     int axis = 0;
-    const Vector3d normal = (a[1] - a[0]).cross(a[2] - a[0]).cwiseAbs() + (b[1] - b[0]).cross(b[2] - b[0]).cwiseAbs();
-    normal.maxCoeff(&axis);
-    const auto flat = [&](const Corners& t) {
-        std::array<Vector2d, 3> result;
-        for (int k = 0; k < 3; ++k) result[k] = {t[k][(axis + 1) % 3], t[k][(axis + 2) % 3]};
-        return result;
-    };
-    const auto p = flat(a), q = flat(b);
+    normal.cwiseAbs().maxCoeff(&axis);
+    return axis;
+}
+
+bool meet_in_plane(const Corners& a, const Corners& b) {
+    const int axis = facing_axis((a[1] - a[0]).cross(a[2] - a[0]).cwiseAbs() + (b[1] - b[0]).cross(b[2] - b[0]).cwiseAbs());
+    const auto p = flattened(a, axis), q = flattened(b, axis);
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
             if (segments_meet(p[i], p[(i + 1) % 3], q[j], q[(j + 1) % 3])) return true;
     return inside(p, q[0]) || inside(q, p[0]);
+}
+
+/// Of an edge that lies in the plane of a triangle.
+bool meets_in_plane(const std::array<Vector3d, 2>& edge, const Corners& b) {
+    const int axis = facing_axis((b[1] - b[0]).cross(b[2] - b[0]));
+    const auto p = flattened(edge, axis);
+    const auto q = flattened(b, axis);
+    for (int j = 0; j < 3; ++j)
+        if (segments_meet(p[0], p[1], q[j], q[(j + 1) % 3])) return true;
+    return inside(q, p[0]);
 }
 
 /// Whether an edge of `a`, on whose sides of b's plane its corners lie as given, meets `b`. Edges in the plane are left to meet_in_plane.
@@ -141,7 +157,7 @@ bool triangles_meet(const Corners& a, const Corners& b) {
     // An edge of one that lies in the plane of the other.
     const auto edge_in_plane = [](const Corners& t, const std::array<int, 3>& side, const Corners& other) {
         for (int i = 0; i < 3; ++i)
-            if (side[i] == 0 && side[(i + 1) % 3] == 0 && meet_in_plane({t[i], t[(i + 1) % 3], t[i]}, other)) return true;
+            if (side[i] == 0 && side[(i + 1) % 3] == 0 && meets_in_plane({t[i], t[(i + 1) % 3]}, other)) return true;
         return false;
     };
     return edge_in_plane(a, of_a, b) || edge_in_plane(b, of_b, a);

@@ -4,6 +4,8 @@ import type { KernelId } from './model';
 export interface CurveSpec {
   /** 3 per control point, source space. */
   readonly rest: Float64Array;
+  /** A limb takes its region along; a contour pulls the surface around it. */
+  readonly role: 'limb' | 'contour';
   readonly rigid: Uint32Array;
   /** Source vertices that follow it; `null`: found. */
   readonly region: Uint32Array | null;

@@ -80,7 +80,8 @@ export function prepareCurves(step: CurvesStep, context: StepContext) {
   const [input] = context.inputs as [ModelResult];
   const held = {
     model: input.key,
-    curves: step.curves.map(({ rest, rigid, region, anchor }) => [
+    curves: step.curves.map(({ kind, rest, rigid, region, anchor }) => [
+      kind === 'contour',
       rest,
       rigid,
       region && vertexSetKey(region),
@@ -102,8 +103,9 @@ export function prepareCurves(step: CurvesStep, context: StepContext) {
   );
 }
 
-const specOf = ({ rest, rigid, region, anchor }: Curve, vertices: number): CurveSpec => ({
+const specOf = ({ kind, rest, rigid, region, anchor }: Curve, vertices: number): CurveSpec => ({
   rest: Float64Array.from(rest.flat()),
+  role: kind === 'contour' ? 'contour' : 'limb',
   rigid: Uint32Array.from(rigid ?? []),
   region: region === undefined ? null : toIndices(region, vertices),
   anchor: anchor ?? null,

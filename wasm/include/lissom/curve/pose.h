@@ -17,9 +17,15 @@ enum class CurveEncoding {
     slabs   ///< the thesis's 200 planes, to compare with
 };
 
+enum class CurveRole {
+    limb,   ///< takes its region along, turned as the curve turns
+    contour ///< a line of the drawing: the surface around it is pulled along, not turned (line_weights.h)
+};
+
 /// A curve as a recipe has it, in source space.
 struct CurveSpec {
     Points rest;                                      ///< control points, two or more
+    CurveRole role = CurveRole::limb;                 ///< of a cloud all are limbs
     std::vector<int> rigid = {};                      ///< spans that stay nearly straight
     std::optional<std::vector<int>> region = {};      ///< source vertices that follow it; else found
     std::optional<CurveEnd> anchor = {};              ///< the end that stays; else the one on the larger rest
@@ -72,6 +78,7 @@ struct CurveAttributes {
 /// them with smoothstep(g₀/(g₀+g₁)), g the ways to either. Curves that are linked share the model: each vertex belongs to the curve of
 /// least distance minus radius, and shares are blended. A child is posed in the frame of its parent at rest: what it takes over from the
 /// parent (turn and place at the link) comes on top.
+/// A contour pulls what its line weights say; the rest of each vertex stays with its owner, or at rest.
 /// Welded vertices move as one, so coincident vertices stay coincident on any mesh: soups, one-sided, non-manifold or in several pieces.
 ///
 /// Source: Blanco 3.1, 5.2–5.5. Changed: throughout; see docs/curves.md.
