@@ -30,6 +30,15 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices
   loopsAround: 'with its worker', // 0.2 s
+  prepareCurves: 'in slices', // a region a slice; where curves are linked the last, which factors, 3 s: as above
+  poseCurves: 'with its worker', // 0.1 s
+  curveAttributes: 'with its worker', // 0.1 s
+  curveTable: 'with its worker', // 0.02 s
+  curveNormals: 'with its worker', // 0.3 s
+  curveDragLimit: 'with its worker', // 0.2 s
+  curveParents: 'with its worker', // 0.02 s
+  reachCurve: 'with its worker', // 0
+  selfIntersections: 'with its worker', // 1 s
   openHair: 'in slices', // the first one, which measures the head, 0.7 s: as above
   styleHair: 'with its worker', // 4.5 s
   growHair: 'in slices', // 0.2 s

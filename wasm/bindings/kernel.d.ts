@@ -1,6 +1,7 @@
 // What the compiled module exports: every .d.ts here mirrors its .cpp one for one, by hand; a test compares the
 // names. Every array passed in is copied, every array handed out belongs to JS. Errors carry `code` and `fault`.
 
+import type { CurveModule } from './curve';
 import type { DeformModule } from './deform';
 import type { HairModule } from './hair';
 import type { IsolineModule } from './isoline';
@@ -15,7 +16,8 @@ export interface KernelModule
     IsolineModule,
     MergeModule,
     HairModule,
-    TransferModule {}
+    TransferModule,
+    CurveModule {}
 
 /** What kernel.mjs takes: how to make an instance once the imports are known. */
 export interface KernelSettings {

@@ -1,6 +1,7 @@
 // The bridge: what can be asked of the kernel, of what shape, and how it can fail. The one file both
 // sides import; client methods, messages and handlers are all derived from `Kernel`.
 
+import type { CurveKernel } from './contract/curve';
 import type { DeformKernel } from './contract/deform';
 import type { HairKernel } from './contract/hair';
 import type { IsolineKernel } from './contract/isoline';
@@ -17,7 +18,8 @@ export interface Kernel
     IsolineKernel,
     MergeKernel,
     HairKernel,
-    TransferKernel {}
+    TransferKernel,
+    CurveKernel {}
 
 export type Method = keyof Kernel;
 export type Args<M extends Method> = Parameters<Kernel[M]>[0];

@@ -5,6 +5,7 @@ import * as v from 'valibot';
 import { MAX_STEPS } from './limits';
 import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
 import { type StepRow, stepType } from './step-row';
+import { curvesStep } from './steps/curves';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
 import { mergeStep } from './steps/merge';
@@ -19,6 +20,7 @@ export const STEP_TYPES = {
   merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
   transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
+  curves: stepType(curvesStep, { main: 'model', writes: 'mesh', workspace: null }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */
@@ -63,6 +65,7 @@ export type StepType = keyof typeof STEP_TYPES;
 export type WorkspaceId = Exclude<(typeof STEP_TYPES)[StepType]['workspace'], null>;
 export type StepOf<T extends StepType> = Extract<Step, { readonly type: T }>;
 export type ModelRef = v.InferOutput<typeof modelRef>;
+export type { CurvesStep } from './steps/curves';
 export type { DeformHandle, DeformStep } from './steps/deform';
 export type { HairStep } from './steps/hair';
 export type { MergeStep } from './steps/merge';

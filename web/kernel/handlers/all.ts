@@ -1,5 +1,6 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { Handlers } from '../serve';
+import { curveHandlers } from './curve';
 import { deformHandlers } from './deform';
 import { hairHandlers } from './hair';
 import { isolineHandlers } from './isoline';
@@ -18,5 +19,6 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),
+    ...curveHandlers(wasm, registry),
   };
 }
