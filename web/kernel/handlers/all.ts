@@ -1,11 +1,13 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { Handlers } from '../serve';
+import { contourHandlers } from './contour';
 import { deformHandlers } from './deform';
 import { hairHandlers } from './hair';
 import { isolineHandlers } from './isoline';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
+import { sketchHandlers } from './sketch';
 import { transferHandlers } from './transfer';
 
 /** One line per wing: the registry of this floor. */
@@ -18,5 +20,7 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),
+    ...sketchHandlers(wasm, registry),
+    ...contourHandlers(wasm, registry),
   };
 }
