@@ -4,8 +4,9 @@
 import { writeFileSync } from 'node:fs';
 import { deformExamples, firstRecipe } from './gallery/deform.mjs';
 import { hairExamples } from './gallery/hair.mjs';
+import { isolineExamples } from './gallery/isolines.mjs';
 import { mergeExamples } from './gallery/merge.mjs';
-import { folder, modelOf } from './gallery/models.mjs';
+import { folder, MADE, modelOf } from './gallery/models.mjs';
 import { transferExamples } from './gallery/transfer.mjs';
 
 const OWN = 'Own work, CC0 1.0';
@@ -14,12 +15,14 @@ const HUMAN = 'MakeHuman data, CC0 1.0';
 const models = [
   ['dinosaur', 'Dinosaur', OWN],
   ['critter', 'Critter', OWN],
+  ['critter-scaled', 'Critter with scales', OWN],
   ['octopus', 'Octopus', OWN],
   ['horse', 'Horse', OWN],
   ['cow', 'Cow', OWN],
   ['dog', 'Dog', OWN],
   ['squid', 'Squid', OWN],
   ['bar', 'Bar', OWN],
+  ['loops', 'Loops', OWN],
   ['wings', 'Wings', OWN],
   ['key', 'Key', OWN],
   ['pipes', 'Pipes', OWN],
@@ -31,7 +34,13 @@ const models = [
   ['head-elf', 'Head, elf', HUMAN],
 ];
 
-const examples = [...deformExamples(), ...mergeExamples(), ...transferExamples(), ...hairExamples()];
+const examples = [
+  ...deformExamples(),
+  ...isolineExamples(),
+  ...mergeExamples(),
+  ...transferExamples(),
+  ...hairExamples(),
+];
 
 function write(file, value, indent) {
   const text = `${JSON.stringify(value, null, indent)}\n`;
@@ -49,6 +58,7 @@ const index = {
     licence,
     vertices: modelOf(name).points.length,
     ...(name.startsWith('head-') && { scalp: true }),
+    ...MADE[name],
   })),
   examples: examples.map(([name, title, model, made]) => ({
     name,

@@ -1,14 +1,7 @@
 // The gallery's bent models: what may move and what is taken hold of is picked by geometry, as a hand would paint it.
 
-import { deformStep, identity, pick, region, turn } from './handles.mjs';
+import { identity, pick, deformRecipe as recipe, region, turn } from './handles.mjs';
 import { modelOf } from './models.mjs';
-
-const recipe = (model, roi, handles) => ({
-  lissom: 1,
-  models: { [model]: { builtin: model } },
-  steps: [deformStep('deform 1', model, roi, handles)],
-  outputs: [],
-});
 
 function dinosaur(head = identity, tail = identity) {
   const { points } = modelOf('dinosaur');
@@ -51,12 +44,13 @@ function critter() {
   );
 }
 
-function bar() {
+/** The bar held at its foot, its top turned. */
+export function barHandles() {
   const { points } = modelOf('bar');
   const ys = points.map(([, y]) => y);
   const [low, high] = [ys.reduce((a, b) => Math.min(a, b)), ys.reduce((a, b) => Math.max(a, b))];
   const end = (high - low) * 0.08;
-  return recipe('bar', 'all', [
+  return [
     region(
       'Foot',
       pick(points, (_, y) => y < low + end),
@@ -66,8 +60,10 @@ function bar() {
       pick(points, (_, y) => y > high - end),
       turn([0, 1, 0], 150, [0, high, 0]),
     ),
-  ]);
+  ];
 }
+
+const bar = () => recipe('bar', 'all', barHandles());
 
 function octopus() {
   const { points } = modelOf('octopus');

@@ -44,12 +44,21 @@ export function point(name, points, place, by = [0, 0, 0]) {
   return { kind: 'point', vertices: [vertex], position, name };
 }
 
-export const deformStep = (id, model, roi, handles) => ({
+/** @param how  another method, and further options */
+export const deformStep = (id, model, roi, handles, { method = 'implicit', options = {} } = {}) => ({
   id,
   type: 'deform',
   model,
   roi,
   handles,
-  method: 'implicit',
-  options: { removeShear: true, scaleDetails: false, iterations: 1, coherenceRing: 1 },
+  method,
+  options: { removeShear: true, scaleDetails: false, iterations: 1, coherenceRing: 1, ...options },
+});
+
+/** A built-in model with one such step. */
+export const deformRecipe = (model, roi, handles, how) => ({
+  lissom: 1,
+  models: { [model]: { builtin: model } },
+  steps: [deformStep('deform 1', model, roi, handles, how)],
+  outputs: [],
 });

@@ -1,34 +1,12 @@
-// The gallery's parts: models made to be merged with others, by formula. Writes public/gallery/<name>.ply. Run by hand
-// when a shape changes, and scripts/gallery.mjs after it: node scripts/gallery/parts.mjs
+// The gallery's models by formula: parts made to be merged with others, and one of four holes. Writes
+// public/gallery/<name>.ply. Run by hand when a shape changes, and scripts/gallery.mjs after it:
+// node scripts/gallery/parts.mjs [name ...]
 
 import { writeFileSync } from 'node:fs';
+import { blend, box, capsule, clamp, cylinder } from './distances.mjs';
 import { halves, implicitSurface } from './implicit-surface.mjs';
 import { folder } from './models.mjs';
 import { plyOf } from './ply.mjs';
-
-const clamp = (x, low = 0, high = 1) => Math.min(high, Math.max(low, x));
-/** The union of two shapes with a fillet of about k between them (Quilez' polynomial smooth minimum). */
-const blend = (k, ...distances) =>
-  distances.reduce((a, b) => {
-    const h = Math.max(k - Math.abs(a - b), 0) / k;
-    return Math.min(a, b) - (h * h * k) / 4;
-  });
-const capsule = ([x, y, z], [ax, ay, az], [bx, by, bz], radius) => {
-  const [dx, dy, dz] = [bx - ax, by - ay, bz - az];
-  const t = clamp(((x - ax) * dx + (y - ay) * dy + (z - az) * dz) / (dx * dx + dy * dy + dz * dz));
-  return Math.hypot(x - ax - t * dx, y - ay - t * dy, z - az - t * dz) - radius;
-};
-const box = ([x, y, z], [cx, cy, cz], half, rounding) => {
-  const q = [Math.abs(x - cx), Math.abs(y - cy), Math.abs(z - cz)].map((d, k) => d - half[k] + rounding);
-  const out = Math.hypot(...q.map((d) => Math.max(d, 0)));
-  return out + Math.min(Math.max(...q), 0) - rounding;
-};
-/** A cylinder along `axis` (0 = x, 1 = y, 2 = z) from `from` to `to`, its rims rounded. */
-const cylinder = (p, axis, [c1, c2], from, to, radius, rounding) => {
-  const r = Math.hypot(p[(axis + 1) % 3] - c1, p[(axis + 2) % 3] - c2) - radius + rounding;
-  const h = Math.abs(p[axis] - (from + to) / 2) - (to - from) / 2 + rounding;
-  return Math.hypot(Math.max(r, 0), Math.max(h, 0)) + Math.min(Math.max(r, h), 0) - rounding;
-};
 
 /** A pipe with a flange and four branches, all as wide: they end at y = 0. */
 function pipes() {
@@ -109,6 +87,44 @@ function key() {
   });
 }
 
+/** A caterpillar whose body is four rings, one behind the other: one surface of four holes (genus 4). */
+function loops() {
+  const rings = [0, 1, 2, 3].map((i) => ({
+    x: 0.84 * (i - 1.5),
+    radius: 0.44 - 0.03 * i,
+    // Each leans to the other side than the one before.
+    lean: i % 2 ? -0.5 : 0.5,
+  }));
+  const ring = ([x, y, z], { x: at, radius, lean }) => {
+    const [c, s] = [Math.cos(lean), Math.sin(lean)];
+    const [up, out] = [c * (y - 0.72) + s * z, c * z - s * (y - 0.72)];
+    return Math.hypot(Math.hypot(x - at, up) - radius, out) - 0.13;
+  };
+  /** Two feet under the lowest place of a ring, where it leans to. */
+  const feet = ({ x, radius, lean }) => {
+    const [y, z] = [0.72 - radius * Math.cos(lean), -radius * Math.sin(lean)];
+    return [-0.17, 0.17].map((to) => [
+      [x, y, z],
+      [x + to, 0.07, 1.5 * z],
+    ]);
+  };
+  return implicitSurface({
+    low: [-2.4, -0.03, -0.75],
+    high: [2.49, 1.71, 0.75],
+    cell: 0.03,
+    inside: (...p) => {
+      const [x, y, z] = p;
+      const body = blend(0.12, ...rings.map((each) => ring(p, each)));
+      const head = Math.hypot(x - 1.86, y - 0.9, z) - 0.3;
+      const neck = capsule(p, [1.55, 0.74, 0], [1.8, 0.85, 0], 0.15);
+      const tail = capsule(p, [-1.66, 0.72, 0], [-2.2, 1.02, 0], 0.07);
+      const feelers = capsule([x, y, Math.abs(z)], [1.95, 1.1, 0.1], [2.08, 1.52, 0.24], 0.05);
+      const legs = rings.flatMap(feet).map(([from, to]) => capsule(p, from, to, 0.07));
+      return blend(0.08, body, head, neck, tail, feelers, ...legs);
+    },
+  });
+}
+
 const mix = (a, b, t) => a.map((x, k) => x + t * (b[k] - x));
 const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
 const unit = (a) => a.map((x) => x / Math.hypot(...a));
@@ -182,11 +198,11 @@ function wings() {
   };
 }
 
-const write = (name, mesh) => {
+const shapes = { pipes, block, key, wings, loops };
+const wanted = process.argv.slice(2);
+for (const [name, shape] of Object.entries(shapes)) {
+  if (wanted.length > 0 && !wanted.includes(name)) continue;
+  const mesh = shape();
   writeFileSync(new URL(`${name}.ply`, folder), plyOf(mesh));
   console.log(name, mesh.points.length, 'vertices');
-};
-write('pipes', pipes());
-write('block', block());
-write('key', key());
-write('wings', wings());
+}

@@ -42,11 +42,14 @@ async function pictures(entries, ofHair) {
         await app.gallery.open(app.gallery.entries.value.find((entry) => entry.name === title));
         await app.evaluator.settled();
         // What got a pose is looked at without the model that has it, and without handles.
+        const { handles = [] } = app.evaluator.result.peek().step;
         if (title.startsWith('transfer-')) await app.commands.run('transfer.deform');
+        else if (handles.some(({ kind }) => kind === 'point')) await app.commands.run('step.apply');
         await app.evaluator.settled();
       }, name);
       // A card needs less air around a model than a gizmo does.
       await page.evaluate(bare, { distance: 0.87 });
+      if (name.startsWith('face-')) await page.evaluate(cameraOnHead, { azimuth: 18, share: 0.82 });
       if (ofHair) {
         await page.evaluate(cameraOnHead);
         await page.evaluate(strandShare, 1);

@@ -1,7 +1,8 @@
 // The gallery's poses: one model is posed, another gets the pose. Parts that match are picked by geometry, as balls about
 // the same joints of both. Written by scripts/gallery.mjs.
 
-import { after, deformStep, identity, pick, point, region, turn } from './handles.mjs';
+import { faceHandles, SMILE } from './face.mjs';
+import { after, deformStep, identity, pick, region, turn } from './handles.mjs';
 import { modelOf } from './models.mjs';
 
 /** Of each ball `[x, y, z, radius]` the vertices within it that are nearer to no other one, in shares of the radii. */
@@ -147,25 +148,7 @@ function dancing() {
   return deformStep('dancing', 'octopus', 'all', [head, ...arms]);
 }
 
-/** A smile: two regions of the head stay, ten points of the face move. */
-function smiling() {
-  const { points } = modelOf('head-female');
-  const held = (name, inside) => region(name, pick(points, inside));
-  const both = (name, [x, y, z], [bx, by, bz]) => [
-    point(`Left ${name}`, points, [x, y, z], [bx, by, bz]),
-    point(`Right ${name}`, points, [-x, y, z], [-bx, by, bz]),
-  ];
-  return deformStep('smiling', 'head-female', 'all', [
-    held('Skull', (_x, y, z) => z < 0.045 || y > 0.225),
-    held('Neck', (_x, y, z) => y < 0.045 && z > 0.06),
-    ...both('mouth corner', [0.0195, 0.102, 0.13], [0.008, 0.009, -0.005]),
-    ...both('cheek', [0.036, 0.128, 0.118], [0.003, 0.006, 0.003]),
-    ...both('inner brow', [0.016, 0.184, 0.133], [0, 0.002, 0]),
-    ...both('outer brow', [0.041, 0.187, 0.118], [0.001, 0.006, 0]),
-    point('Upper lip', points, [0, 0.108, 0.14], [0, 0.0015, -0.002]),
-    point('Chin', points, [0, 0.077, 0.131], [0, -0.002, -0.001]),
-  ]);
-}
+const smiling = () => deformStep('smiling', 'head-female', 'all', faceHandles(SMILE));
 
 /** The heads are of one make: what is a place on one of them is the same vertex on the others. */
 const faced = () => smiling().handles.map(({ vertices }) => vertices);

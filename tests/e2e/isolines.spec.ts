@@ -154,3 +154,31 @@ test('a large model is prepared with progress and a way out, and dragged by isol
   await desk.settled();
   expect(await state(desk)).toEqual({ blends: false, settled: true });
 });
+
+test('the large model of the gallery is made when it is opened, and given up when it is cancelled', async ({
+  fresh: desk,
+}) => {
+  test.slow();
+  const { page } = desk;
+  const before = await desk.shown();
+  await page.keyboard.press('Control+g');
+  const card = page.getByRole('button', { name: /^Critter with scales/ });
+  await expect(card).toContainText('476,482 vertices · made when opened');
+  await card.click();
+  const sign = page.locator('.status-busy');
+  await expect(sign).toContainText(/Making Critter with scales|Opening Critter with scales/, {
+    timeout: 60_000,
+  });
+  await sign.getByRole('button', { name: 'Cancel' }).click();
+  await expect(sign).toBeHidden();
+  await desk.settled();
+  expect(await page.locator('.toast.bad').count()).toBe(0);
+  const after = await desk.shown();
+  expect(after.rest).toEqual(before.rest);
+  // Nothing of it is left in the way.
+  await page.keyboard.press('Control+g');
+  await page.getByRole('button', { name: 'Bar, 10 straight controls' }).click();
+  await expect.poll(() => page.title(), { timeout: 60_000 }).toContain('Bar, 10 straight controls');
+  await desk.settled();
+  expect(handleGap((await desk.shown()).step.handles[1]!, await desk.shown())).toBeLessThan(1e-9);
+});

@@ -98,8 +98,10 @@ test('fields, rigidity and isolines can be looked at', async () => {
 
 test('memory is stated before anything starts, and options that make no sense are refused', async () => {
   const { id: model } = await kernel.call('openModel', shape);
-  const said = await kernel.call('estimateIsolines', { model, handles: 2 });
+  const said = await kernel.call('estimateIsolines', { model, handles: 2, options: {} });
   expect(said.session).toBeGreaterThan(0);
+  const more = await kernel.call('estimateIsolines', { model, handles: 2, options: { controls: 100 } });
+  expect(more.session).toBeGreaterThan(said.session);
   expect(said.settle).toBeGreaterThan(0);
   await expect(prepare({ controls: 1 })).rejects.toMatchObject({ code: 'bad-option' });
 });

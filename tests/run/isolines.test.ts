@@ -1,7 +1,8 @@
 // Deform steps by the isoline method, through the real kernel.
 
-import { beforeAll, expect, test } from 'vitest';
-import type { KernelPort } from '../../web/kernel/contract';
+import { beforeAll, describe, expect, test } from 'vitest';
+import type { LissomError } from '../../web/core/errors';
+import type { KernelPort, Method, Result } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
@@ -105,4 +106,102 @@ test('one handle takes the whole model along; forty are no trouble', async () =>
   });
   const many = await run(points);
   expect(gap(many.model.positions, MODEL.positions)).toBeLessThan(1e-6);
+});
+
+test('what is set up is said before it is, once', async () => {
+  const heard: { vertices: number; bytes: number; after: number }[] = [];
+  const calls: string[] = [];
+  const spy: KernelPort = {
+    get epoch() {
+      return kernel.epoch;
+    },
+    call: (method, args, options) => {
+      calls.push(method);
+      return kernel.call(method, args, options);
+    },
+  };
+  const used = new Runner({ kernel: spy, models: { load: async () => MODEL } });
+  const onPreparation = (preparation: { vertices: number; bytes: number }) =>
+    void heard.push({ ...preparation, after: calls.length });
+  const document = recipe([HELD, handle(END, moved(0, 6, 2))]);
+  await used.run(document, { onPreparation });
+  const vertices = MODEL.positions.length / 3;
+  expect(heard.map((each) => each.vertices)).toEqual([vertices, vertices]);
+  expect(heard[0]!.bytes).toBeGreaterThan(200 * vertices);
+  // Asked for before anything is prepared, and said right before it is.
+  expect(calls.indexOf('estimateIsolines')).toBeLessThan(calls.indexOf('prepareIsolineModel'));
+  expect(heard.map(({ after }) => calls[after])).toEqual(['prepareIsolineModel', 'prepareIsolines']);
+  heard.length = 0;
+  for (const y of [3, 12])
+    await used.ask(recipe([HELD, handle(END, moved(0, y, 0))]), 'd', 'drag', {}, { onPreparation });
+  expect(heard).toEqual([]);
+  expect(calls.filter((method) => method === 'estimateIsolines')).toHaveLength(1);
+});
+
+test('more controls take more, and a full pass too', async () => {
+  const bytes = async (options: object) => {
+    let most = 0;
+    await runner().run(recipe([HELD, handle(END, moved(0, 6, 2))], options), {
+      onPreparation: (preparation) => {
+        most = preparation.bytes;
+      },
+    });
+    return most;
+  };
+  const plain = await bytes({});
+  expect(await bytes({ isolines: 40 })).toBeGreaterThan(plain);
+  expect(await bytes({ settle: 'reduced' })).toBeLessThan(plain);
+});
+
+describe('too large for the method', () => {
+  /** A kernel that says how much it would take, and must not be asked to begin. */
+  class Estimating implements KernelPort {
+    readonly epoch = 0;
+    constructor(private readonly bytes: number) {}
+    async call<M extends Method>(method: M): Promise<Result<M>> {
+      if (method === 'openModel') return { id: 1, welded: new Int32Array() } as unknown as Result<M>;
+      if (method === 'estimateIsolines')
+        return { model: 1, session: this.bytes, settle: 0 } as unknown as Result<M>;
+      throw new Error(`${method} was begun`);
+    }
+  }
+  const large = (vertices: number, bytes: number) => {
+    const positions = new Float64Array(3 * vertices);
+    const model = {
+      name: 'sheet',
+      positions,
+      faceOffsets: Uint32Array.of(0, 3),
+      faceVertices: Uint32Array.of(0, 1, 2),
+    };
+    return new Runner({ kernel: new Estimating(bytes), models: { load: async () => model } });
+  };
+  const document = recipe([handle([0, 1]), handle([3, 4], moved(0, 1, 0))]);
+  const refusal = (vertices: number, bytes: number) =>
+    large(vertices, bytes)
+      .run(document)
+      .then(
+        () => undefined,
+        (error: unknown) => error as LissomError,
+      );
+
+  test('more than two million vertices are refused in a sentence, before anything is set up', async () => {
+    const error = await refusal(2_000_001, 1);
+    expect(error).toMatchObject({ code: 'isolines-too-large', fault: 'input' });
+    expect(error?.message).toContain('2,000,001 vertices; the isoline method takes up to 2,000,000');
+    expect((await refusal(2_000_000, 1))?.message).toContain('prepareIsolineModel was begun');
+  });
+
+  test('more than 4 GB are refused, with what it would take', async () => {
+    const error = await refusal(1000, 20e9);
+    expect(error).toMatchObject({ code: 'isolines-too-large', fault: 'input' });
+    expect(error?.message).toMatch(/about 20 GB for 1,000 vertices and 2 handles/);
+  });
+
+  test('a drag that only borrows the method goes without it', async () => {
+    const own = recipe([handle([0, 1]), handle([3, 4], moved(0, 1, 0))], {}, { method: 'implicit' });
+    expect(await large(2_000_001, 1).ask(own, 'd', 'drag', {})).toBeNull();
+    await expect(large(2_000_001, 1).ask(document, 'd', 'drag', {})).rejects.toMatchObject({
+      code: 'isolines-too-large',
+    });
+  });
 });

@@ -49,9 +49,10 @@ lissom::IsolineOptions isoline_options(const val& given) {
     return options;
 }
 
-// estimateIsolines(model, handles) → IsolineMemory of web/kernel/contract/isoline.ts
-val estimate(const std::shared_ptr<lissom::WorkingMesh>& working, int handles) {
-    const lissom::IsolineMemory memory = lissom::estimate_isoline_memory(working->mesh.vertex_count(), working->mesh.triangle_count(), handles);
+// estimateIsolines(model, handles, options) → IsolineMemory of web/kernel/contract/isoline.ts
+val estimate(const std::shared_ptr<lissom::WorkingMesh>& working, int handles, const val& given) {
+    const lissom::IsolineMemory memory = lissom::estimate_isoline_memory(working->mesh.vertex_count(), working->mesh.triangle_count(), handles,
+                                                                         isoline_options(given).controls);
     val result = val::object();
     result.set("model", memory.model);
     result.set("session", memory.session);

@@ -17,7 +17,7 @@ export interface IsolineModule {
     handles: readonly HandleSpec[],
     options: IsolineOptions,
   ) => WasmIsolineSession;
-  estimateIsolines(model: WasmWorkingMesh, handles: number): IsolineMemory;
+  estimateIsolines(model: WasmWorkingMesh, handles: number, options: IsolineOptions): IsolineMemory;
 }
 
 export interface WasmIsolineModel extends WasmObject {

@@ -98,6 +98,8 @@ export interface GalleryEntry {
   readonly thumbnail: string;
   /** It says where its scalp is. */
   readonly scalp?: boolean;
+  /** No file holds its model: it is made here when it is opened. */
+  readonly made?: boolean;
   /** Present for a finished example instead of a bare model. */
   readonly recipe?: string;
   /** Of a finished example: where it is worked on. */

@@ -7,6 +7,7 @@ import { Runner } from '../run/evaluate';
 import type { ViewportPort } from '../view/types';
 import type { App } from './api';
 import { Autosave } from './autosave';
+import { busySign } from './busy-sign';
 import { checkedStore } from './checked-store';
 import { Commands } from './commands';
 import { allCommands } from './commands/all';
@@ -19,6 +20,7 @@ import { Files } from './files';
 import { Gallery } from './gallery';
 import { t } from './i18n';
 import { Keymap } from './keymap';
+import { type MakingOptions, madeAside } from './making';
 import { Messages } from './messages';
 import { ModelStore } from './model-store';
 import { type Pane, Panes } from './panes';
@@ -85,8 +87,11 @@ export function buildApp(world: World): BuiltApp {
   const document = new Document(state);
   const gallery: Gallery = new Gallery(
     world.galleryBase,
-    (recipe, title) => desk.open({ recipe, title }),
+    (recipe, title) =>
+      whileBusy(t('busy.opening', { name: title }), ({ signal }) => desk.open({ recipe, title, signal })),
     ({ name, scalp = false }) => openingOf({ name, ref: { builtin: name }, scalp }),
+    (entry, bytes) =>
+      whileBusy(t('busy.making', { name: entry.title }), (options) => madeAside({ entry, bytes }, options)),
   );
   const models = new ModelStore((name) => gallery.model(name));
   const runner = new Runner({ kernel: world.kernel, models });
@@ -148,6 +153,17 @@ export function buildApp(world: World): BuiltApp {
     workspace: () => state.workspace.value,
   });
   const keymap = new Keymap(commands, settings, world.mac);
+
+  /** Shows that something goes on, and the way out of it. */
+  async function whileBusy<T>(label: string, work: (options: MakingOptions) => Promise<T>): Promise<T> {
+    const abort = new AbortController();
+    const sign = busySign(state.busy, label, () => abort.abort());
+    try {
+      return await work({ signal: abort.signal, onProgress: sign.progress });
+    } finally {
+      sign.end();
+    }
+  }
 
   /** What a bare model opens with: as the open workspace has it, else as the first one has. */
   async function openingOf(model: BareModel): Promise<Recipe> {

@@ -1,7 +1,7 @@
 // Where documents are laid open. Whatever is opened is first proved usable; only then does it take the
 // place of what was there, and what was there is kept as a restore point.
 
-import type { Finding } from '../core/errors';
+import { cancelled, type Finding } from '../core/errors';
 import { stepById } from '../recipe/edit';
 import type { Recipe } from '../recipe/recipe';
 import { referencesOf } from '../recipe/references';
@@ -23,6 +23,8 @@ export interface Opening {
   readonly link?: string;
   /** Whether it is work of one's own from the start, and saved at once: a file of one's own. */
   readonly own?: boolean;
+  /** The way out, until it has taken the place of what was there. */
+  readonly signal?: AbortSignal;
 }
 
 export class Desk {
@@ -36,12 +38,14 @@ export class Desk {
   ) {}
 
   /** @throws LissomError  whatever is wrong with it; then nothing has changed */
-  async open({ recipe, title, imported, link, own = false }: Opening): Promise<void> {
+  async open({ recipe, title, imported, link, own = false, signal }: Opening): Promise<void> {
     const selection = openingSelection(recipe);
     const step = stepById(recipe, selection.step);
     const first = step ? referencesOf(step)[0]?.name : Object.keys(recipe.models)[0];
-    const input = first === undefined ? null : await this.runner.opened(recipe, first);
+    const input =
+      first === undefined ? null : await this.runner.opened(recipe, first, signal ? { signal } : {});
     await this.wings().loadFor(recipe, selection.step);
+    if (signal?.aborted) throw cancelled();
     if (await this.autosave.setAside()) this.messages.toast('info', t('toast.kept'));
     this.autosave.begin({ own, link });
     this.state.title.value = title;

@@ -69,6 +69,8 @@ export interface Evaluating {
   readonly signal: AbortSignal;
   /** @param fraction  in [0, 1] */
   readonly onProgress: (fraction: number) => void;
+  /** Says more of what is going on than the strategy's `busy` does. */
+  readonly say: (label: string) => void;
   /** Whether there is time for the whole result; else a quick preview will do. */
   readonly settle: boolean;
   /** What is on screen. */

@@ -117,6 +117,7 @@ export class Evaluator implements EvaluatorPort {
         runner: this.parts.runner,
         signal: aborted,
         onProgress: busy.progress,
+        say: busy.say,
         settle: !live || this.#settledTime <= FRAME_BUDGET,
         before: this.#result.peek(),
         show: (part) => {

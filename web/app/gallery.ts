@@ -2,20 +2,22 @@
 
 import { type ReadonlySignal, signal } from '@preact/signals';
 import { LissomError } from '../core/errors';
+import { type BuiltIn, builtInAtOnce } from '../io/built-in';
+import type { ReadResult } from '../io/reading';
 import { parseRecipe } from '../recipe/parse';
 import type { Recipe, WorkspaceId } from '../recipe/recipe';
 import type { GalleryEntry, GalleryService } from './api';
 import { t } from './i18n';
 
+export interface IndexedModel extends BuiltIn {
+  readonly title: string;
+  readonly licence: string;
+  readonly vertices: number;
+  readonly scalp?: boolean;
+}
+
 interface Index {
-  readonly models: readonly {
-    readonly name: string;
-    readonly file: string;
-    readonly title: string;
-    readonly licence: string;
-    readonly vertices: number;
-    readonly scalp?: boolean;
-  }[];
+  readonly models: readonly IndexedModel[];
   readonly examples: readonly {
     readonly name: string;
     readonly file: string;
@@ -32,13 +34,15 @@ export class Gallery implements GalleryService {
 
   /**
    * @param base  address of the gallery's folder, ending in a slash
-   * @param show  opens a recipe as a new document
+   * @param show  opens a recipe as a new document, with a way out
    * @param bare  the recipe that a model without an example opens with
+   * @param make  makes a model that no file holds of the bytes of another's
    */
   constructor(
     private readonly base: string,
     private readonly show: (recipe: Recipe, title: string) => Promise<void>,
     private readonly bare: (entry: GalleryEntry) => Promise<Recipe>,
+    private readonly make: (entry: IndexedModel, bytes: Uint8Array) => Promise<ReadResult>,
   ) {}
 
   get entries(): ReadonlySignal<readonly GalleryEntry[]> {
@@ -50,15 +54,28 @@ export class Gallery implements GalleryService {
     const { models, examples } = await this.#list();
     const thumbnail = (name: string) => `${this.base}thumbnails/${name}.webp`;
     const finished = examples.map(({ name, title, file, model, workspace }) => {
-      const { licence = '', vertices = 0, scalp = false } = models.find((each) => each.name === model) ?? {};
-      return { name, title, licence, vertices, scalp, workspace, thumbnail: thumbnail(name), recipe: file };
+      const of = models.find((each) => each.name === model);
+      const { licence = '', vertices = 0, scalp = false } = of ?? {};
+      const made = of?.made !== undefined;
+      return {
+        name,
+        title,
+        licence,
+        vertices,
+        scalp,
+        made,
+        workspace,
+        thumbnail: thumbnail(name),
+        recipe: file,
+      };
     });
-    const bare = models.map(({ name, title, licence, vertices, scalp = false }) => ({
+    const bare = models.map(({ name, title, licence, vertices, made, scalp = false }) => ({
       name,
       title,
       licence,
       vertices,
       scalp,
+      made: made !== undefined,
       thumbnail: thumbnail(name),
     }));
     this.#entries.value = [...finished, ...bare];
@@ -73,11 +90,12 @@ export class Gallery implements GalleryService {
     return parseRecipe(new TextDecoder().decode(await this.#fetch(file)));
   }
 
-  /** The bytes of a built-in model; what ModelStore asks for. */
-  async model(name: string): Promise<{ file: string; bytes: Uint8Array }> {
-    const held = (await this.#list()).models.find((each) => each.name === name);
-    if (!held) throw new LissomError('model-not-found', t('error.link-foreign', { name }));
-    return { file: held.file, bytes: await this.#fetch(held.file) };
+  /** A built-in model; what ModelStore asks for. */
+  async model(name: string): Promise<ReadResult> {
+    const entry = (await this.#list()).models.find((each) => each.name === name);
+    if (!entry) throw new LissomError('model-not-found', t('error.link-foreign', { name }));
+    const bytes = await this.#fetch(entry.file);
+    return entry.made ? this.make(entry, bytes) : builtInAtOnce(entry, bytes);
   }
 
   async #list(): Promise<Index> {

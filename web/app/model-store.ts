@@ -4,7 +4,7 @@ import { LissomError } from '../core/errors';
 import { Hasher } from '../core/hash';
 import type { Model } from '../core/model';
 import { readModel } from '../io/formats';
-import type { ImportNote } from '../io/notes';
+import type { ReadResult } from '../io/reading';
 import type { ModelRef } from '../recipe/recipe';
 import type { ModelSource } from '../run/types';
 import { t } from './i18n';
@@ -17,19 +17,14 @@ export interface OpenedFile {
   readonly hash: string;
 }
 
-interface Read {
-  readonly model: Model;
-  readonly notes: readonly ImportNote[];
-}
-
-type OpenedMesh = Read & Pick<OpenedFile, 'file'>;
+type OpenedMesh = ReadResult & Pick<OpenedFile, 'file'>;
 
 export class ModelStore implements ModelSource {
   readonly #files = new Map<string, OpenedFile>();
-  readonly #read = new Map<string, Promise<Read>>();
+  readonly #read = new Map<string, Promise<ReadResult>>();
 
-  /** @param builtin  the bytes of a gallery model */
-  constructor(private readonly builtin: (name: string) => Promise<{ file: string; bytes: Uint8Array }>) {}
+  /** @param builtin  a model of the gallery */
+  constructor(private readonly builtin: (name: string) => Promise<ReadResult>) {}
 
   /** Keeps a file for recipes to refer to. The same content twice is one file; another takes a new name. */
   async add(name: string, bytes: Uint8Array): Promise<OpenedFile> {
@@ -49,7 +44,11 @@ export class ModelStore implements ModelSource {
    *
    * @throws what its reader throws; nothing is kept then
    */
-  async open(name: string, bytes: Uint8Array, read: Read = readModel(bytes, name)): Promise<OpenedMesh> {
+  async open(
+    name: string,
+    bytes: Uint8Array,
+    read: ReadResult = readModel(bytes, name),
+  ): Promise<OpenedMesh> {
     const { file } = await this.add(name, bytes);
     const key = `file:${file}`;
     const { model, notes } = read;
@@ -69,7 +68,7 @@ export class ModelStore implements ModelSource {
   }
 
   /** The model with what its reader noticed. */
-  read(ref: ModelRef): Promise<Read> {
+  read(ref: ModelRef): Promise<ReadResult> {
     const key = 'file' in ref ? `file:${ref.file}` : `builtin:${ref.builtin}`;
     let reading = this.#read.get(key);
     if (!reading) {
@@ -85,12 +84,8 @@ export class ModelStore implements ModelSource {
     return (await this.read(ref)).model;
   }
 
-  async #parse(ref: ModelRef): Promise<Read> {
-    if ('builtin' in ref) {
-      const { file, bytes } = await this.builtin(ref.builtin);
-      const { model, notes } = readModel(bytes, file);
-      return { model: { ...model, name: ref.builtin }, notes };
-    }
+  async #parse(ref: ModelRef): Promise<ReadResult> {
+    if ('builtin' in ref) return this.builtin(ref.builtin);
     const held = this.#files.get(ref.file);
     if (!held) throw new LissomError('model-not-found', t('error.model-not-found', { name: ref.file }));
     return readModel(held.bytes, ref.file);

@@ -26,16 +26,18 @@ export class PaintedRegions {
   }
 }
 
-const vertexLists = new WeakMap<object, Uint32Array>();
+const vertexLists = new WeakMap<object, { readonly count: number; readonly list: Uint32Array }>();
 
-/** Recipes never change in place, so a set is unpacked once; unpacked again it is the same list. */
+/**
+ * Recipes never change in place, so a set is unpacked once; unpacked again it is the same list. Not for another count:
+ * a document just opened may be asked about while the smaller model of the one before is still on screen.
+ */
 export function listed(set: VertexSet, count: number): Uint32Array {
   if (typeof set === 'string') return toIndices(set, count);
-  let list = vertexLists.get(set);
-  if (!list) {
-    list = toIndices(set, count);
-    vertexLists.set(set, list);
-  }
+  const known = vertexLists.get(set);
+  if (known?.count === count) return known.list;
+  const list = toIndices(set, count);
+  vertexLists.set(set, { count, list });
   return list;
 }
 

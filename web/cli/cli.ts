@@ -96,6 +96,7 @@ async function run(
     const results = await new Runner({ kernel: solver, models }).run(recipe, {
       signal: stop.signal,
       onProgress: (fraction, step) => progress.update(fraction, step),
+      onPreparation: (preparation, step) => progress.preparing(preparation, step),
     });
     const files = outputsOf(recipe, results, out);
     if (report !== undefined) files.set(path.resolve(report), reportOf(recipe, results, models.notes));

@@ -6,8 +6,10 @@ import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
+import { type BuiltIn, builtInAtOnce } from '../io/built-in';
 import { readModel } from '../io/formats';
 import type { ImportNote } from '../io/notes';
+import type { ReadResult } from '../io/reading';
 import type { ModelRef } from '../recipe/recipe';
 import type { ModelSource } from '../run/types';
 import { readable } from './files';
@@ -42,10 +44,14 @@ export class FolderModels implements ModelSource {
   }
 
   async #load(name: string, ref: ModelRef): Promise<Model> {
-    const file = 'file' in ref ? await this.#beside(ref.file) : await this.#builtin(ref.builtin);
-    const { model, notes } = readModel(await readable('model-not-found', file, 'mesh'), file);
+    const { model, notes } = 'file' in ref ? await this.#file(ref.file) : await this.#builtin(ref.builtin);
     this.notes.set(name, notes);
-    return 'file' in ref ? model : { ...model, name: ref.builtin };
+    return model;
+  }
+
+  async #file(name: string): Promise<ReadResult> {
+    const file = await this.#beside(name);
+    return readModel(await readable('model-not-found', file, 'mesh'), file);
   }
 
   /** Links are followed before it is asked where a file lies. */
@@ -66,7 +72,7 @@ export class FolderModels implements ModelSource {
     );
   }
 
-  async #builtin(name: string): Promise<string> {
+  async #builtin(name: string): Promise<ReadResult> {
     if (!this.gallery)
       throw new LissomError(
         'gallery-not-found',
@@ -75,10 +81,13 @@ export class FolderModels implements ModelSource {
       );
     const folder = fileURLToPath(this.gallery);
     const { models } = JSON.parse(await readFile(path.join(folder, 'index.json'), 'utf8')) as {
-      readonly models: readonly { readonly name: string; readonly file: string }[];
+      readonly models: readonly BuiltIn[];
     };
     const entry = models.find((model) => model.name === name);
-    if (entry) return path.join(folder, entry.file);
+    if (entry) {
+      const bytes = await readable('model-not-found', path.join(folder, entry.file), 'mesh');
+      return builtInAtOnce(entry, bytes);
+    }
     const known = models.map((model) => model.name).join(', ');
     throw new LissomError(
       'model-not-found',

@@ -2,6 +2,7 @@
 // before the memory is set aside, and so is a gigabyte that no browser could hold.
 
 import { LissomError } from '../core/errors';
+import { inBytes } from '../core/sizes';
 import { MAX_RECIPE_BYTES } from '../recipe/limits';
 
 /** The kinds of files that are read. */
@@ -106,15 +107,4 @@ export function checkFileSize(file: string, size: number): void {
 function tooLarge(file: string, size: number, most: number): LissomError {
   const message = `${file} has ${inBytes(size)}; the limit is ${inBytes(most)}. Open a smaller file, or a part of it.`;
   return new LissomError('file-too-large', message);
-}
-
-/** As people say it. */
-export function inBytes(count: number): string {
-  for (const [unit, size] of [
-    ['GB', GB],
-    ['MB', MB],
-    ['kB', 1e3],
-  ] as const)
-    if (count >= 10 * size) return `${Math.round(count / size)} ${unit}`;
-  return `${count} bytes`;
 }

@@ -1,6 +1,6 @@
 import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
-import { inBytes } from './budget';
+import { inBytes } from '../core/sizes';
 import type { ImportNote } from './notes';
 
 export interface ReadResult {

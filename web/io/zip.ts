@@ -1,7 +1,7 @@
 import { Inflate } from 'fflate';
 import { crc32 } from '../core/crc32';
 import { LissomError } from '../core/errors';
-import { inBytes } from './budget';
+import { inBytes } from '../core/sizes';
 
 /** Bytes of all unpacked files together, and their number, beyond which an archive is refused. */
 export interface ZipLimits {

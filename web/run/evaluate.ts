@@ -13,7 +13,7 @@ import { modelPlace, type Plan, plan, stepPlace } from './plan';
 import { mainOf, resultOf, type StepResult } from './results';
 import { KernelSession } from './session';
 import { type Answer, capacities, type Question, type QuestionArgs, runnerOf } from './steps/all';
-import type { InputShape, Origin, StepContext, StepOutcome } from './steps/step-runner';
+import type { InputShape, Origin, Preparation, StepContext, StepOutcome } from './steps/step-runner';
 import { type ModelResult, type ModelSource, placed } from './types';
 
 export interface RunOptions {
@@ -22,6 +22,8 @@ export interface RunOptions {
   readonly signal?: AbortSignal;
   /** @param fraction  of all steps, in [0, 1]; @param step  the one under way */
   readonly onProgress?: (fraction: number, step: Step) => void;
+  /** Hears of what takes much memory before it starts. */
+  readonly onPreparation?: (preparation: Preparation, step: Step) => void;
   /** False: quick previews will do. */
   readonly settle?: boolean;
   /** Also measure what the last step did to the model that it changes. */
@@ -31,6 +33,7 @@ export interface RunOptions {
 export interface AskOptions extends Pick<RunOptions, 'signal'> {
   /** @param fraction  in [0, 1] */
   readonly onProgress?: (fraction: number) => void;
+  readonly onPreparation?: (preparation: Preparation) => void;
 }
 
 /** Bytes of positions and strands that cached results may hold. */
@@ -106,7 +109,7 @@ export class Runner {
     id: string,
     question: Q,
     args: QuestionArgs<Q>,
-    { signal, onProgress = () => {} }: AskOptions = {},
+    { signal, onProgress = () => {}, onPreparation = () => {} }: AskOptions = {},
   ): Promise<Answer<Q>> {
     return this.#inTurn(signal, () =>
       this.#with(recipe, inputNames(recipe, id), signal, (given) => {
@@ -114,7 +117,14 @@ export class Runner {
         const step = recipe.steps[index]!;
         const answer = runnerOf(step).questions?.[question];
         if (!answer) throw notFound(`The ${step.type} step ${JSON.stringify(id)} knows no ${question}.`);
-        const context = { ...given, kernel: this.#session, settle: true, signal, onProgress };
+        const context = {
+          ...given,
+          kernel: this.#session,
+          settle: true,
+          signal,
+          onProgress,
+          onPreparation,
+        };
         return placed(
           stepPlace(index, step),
           () => answer(step, context, args as never) as Promise<Answer<Q>>,
@@ -152,7 +162,8 @@ export class Runner {
       const given = await this.#open(stages, names, signal);
       const { inputs } = given;
       const onProgress = (fraction: number) => options.onProgress?.((at + fraction) / steps.length, step);
-      const context = { ...given, kernel: this.#session, settle, signal, onProgress };
+      const onPreparation = (preparation: Preparation) => options.onPreparation?.(preparation, step);
+      const context = { ...given, kernel: this.#session, settle, signal, onProgress, onPreparation };
       const place = stepPlace(index, step);
       const key = this.#resultKey(step, given, settle);
       const runner = runnerOf(step);

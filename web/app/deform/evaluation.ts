@@ -1,11 +1,14 @@
 // How a deform step is computed for the screen: factored once per set of handles, solved as often as they move. A drag
 // that would be slow so goes by the isolines of the handles, on the graphics card.
 
+import { inBytes } from '../../core/sizes';
 import type { DeformStep } from '../../recipe/recipe';
 import { mainInput } from '../../recipe/references';
 import type { IsolineDrag } from '../../run/steps/deform/isolines';
+import type { Preparation } from '../../run/steps/step-runner';
 import type { BlendSurface } from '../../view/blend/types';
 import type { Evaluating, Outcome, Request, Strategy } from '../evaluated';
+import { t } from '../i18n';
 import { sameBefore, untouched } from '../strategy';
 import type { DeformState } from './state';
 
@@ -55,21 +58,29 @@ const goesByIsolines = ({ method, id }: DeformStep, { settle, before }: Evaluati
 /** The input with other positions: it stays the model on screen, so that a drag moves vertices and nothing else. */
 async function deformed(
   { recipe, step }: DeformRequest,
-  { runner, signal, onProgress, settle }: Evaluating,
+  { runner, signal, onProgress, say, settle }: Evaluating,
 ): Promise<Outcome> {
-  const results = await runner.run(recipe, { signal, onProgress, until: step.id, settle });
+  const onPreparation = announced(say);
+  const results = await runner.run(recipe, { signal, onProgress, onPreparation, until: step.id, settle });
   const { inputs, model, report } = results.get(step.id)!;
   return { inputs, shown: inputs[0]!, positions: model.positions, report };
 }
 
+/** How much is set up, and what it takes. */
+const announced =
+  (say: Evaluating['say']) =>
+  ({ vertices, bytes }: Preparation): void =>
+    say(t('busy.preparing-much', { vertices, size: inBytes(bytes) }));
+
 /** Only a few transformations are computed; the vertices stay where they are until the hand lets go. */
 async function dragged(
   { recipe, step }: DeformRequest,
-  { runner, signal, onProgress, before }: Evaluating,
+  { runner, signal, onProgress, say, before }: Evaluating,
   surfaces: Surfaces,
 ): Promise<Outcome | null> {
   const shown = await runner.opened(recipe, mainInput(step), { signal });
-  const drag = await runner.ask(recipe, step.id, 'drag', {}, { signal, onProgress });
+  const onPreparation = announced(say);
+  const drag = await runner.ask(recipe, step.id, 'drag', {}, { signal, onProgress, onPreparation });
   if (!drag) return null;
   const surface = await surfaces.of(drag.prepared, () =>
     runner.ask(recipe, step.id, 'dragFields', {}, { signal }),

@@ -31,7 +31,10 @@ export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformSta
   const open = (): { readonly evaluation: Evaluation; readonly step: DeformStep } | null => {
     const evaluation = evaluator.result.value;
     const step = own.step.value;
-    return evaluation && step && evaluation.step.id === step.id ? { evaluation, step } : null;
+    if (evaluation?.step.type !== 'deform' || !step) return null;
+    // Steps of another document may have the same id.
+    const { id, model } = evaluation.step;
+    return id === step.id && model === step.model ? { evaluation, step } : null;
   };
   const stops = [
     syncBlend(viewport, evaluator, own),

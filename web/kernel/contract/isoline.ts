@@ -77,7 +77,7 @@ export interface IsolineFields {
 /** Deforming in the space of the handles' isolines (001): a frame costs the same whatever the size of the model. */
 export interface IsolineKernel {
   /** Memory that preparing would take, stated before it starts. */
-  estimateIsolines(args: { model: KernelId; handles: number }): IsolineMemory;
+  estimateIsolines(args: { model: KernelId; handles: number; options: IsolineOptions }): IsolineMemory;
 
   /** Once per mesh. Reports progress, can be cancelled. */
   prepareIsolineModel(args: { model: KernelId }): PreparedIsolineModel;

@@ -10,8 +10,8 @@ const TO_THE_END = 60;
 /** Isoline sessions: a surface once per mesh, fields and a small factor once per set of handles, then frames. */
 export function isolineHandlers(wasm: KernelModule, registry: Registry): HandlersOf<IsolineKernel> {
   return {
-    estimateIsolines: ({ model, handles }) =>
-      wasm.estimateIsolines(registry.get(model, wasm.WorkingMesh), handles),
+    estimateIsolines: ({ model, handles, options }) =>
+      wasm.estimateIsolines(registry.get(model, wasm.WorkingMesh), handles, options),
 
     prepareIsolineModel({ model }, job) {
       const surface = new wasm.IsolineModel(registry.get(model, wasm.WorkingMesh));

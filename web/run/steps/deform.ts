@@ -27,7 +27,7 @@ export interface DeformFigures extends Partial<IsolineFigures> {
 
 export const deformRunner = {
   /** The one being dragged, and the ones to switch back to. */
-  keeps: { prepareDeform: 3, prepareIsolineModel: 2, prepareIsolines: 3 },
+  keeps: { prepareDeform: 3, estimateIsolines: 3, prepareIsolineModel: 2, prepareIsolines: 3 },
 
   check(step, path, [input]) {
     if (!input) return;

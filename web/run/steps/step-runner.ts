@@ -12,6 +12,14 @@ export interface Origin {
   readonly inputs: readonly Pick<ModelResult, 'model' | 'key'>[];
 }
 
+/** Something large that is about to be set up. */
+export interface Preparation {
+  /** Of the model that it is for. */
+  readonly vertices: number;
+  /** The most memory that it takes at one time, beside the model; an estimate. */
+  readonly bytes: number;
+}
+
 /** What a step is run with. */
 export interface StepContext {
   /** The models it names, in the order of its references (`model`; `source`, `target`). */
@@ -24,6 +32,8 @@ export interface StepContext {
   readonly signal: AbortSignal | undefined;
   /** In [0, 1]. */
   readonly onProgress: (fraction: number) => void;
+  /** Hears of what takes much memory before it starts. */
+  readonly onPreparation: (preparation: Preparation) => void;
 }
 
 /** The way out of a step's work, as calls of the kernel take it. */

@@ -22,7 +22,9 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
               <button type="button" class="card" onClick={() => open(entry)} title={entry.licence}>
                 <img src={entry.thumbnail} alt="" loading="lazy" width="256" height="192" />
                 <span class="card-title">{entry.title}</span>
-                <span class="muted">{t('ui.figure.vertices', { count: entry.vertices })}</span>
+                <span class="muted">
+                  {t(entry.made ? 'ui.gallery.made' : 'ui.figure.vertices', { count: entry.vertices })}
+                </span>
               </button>
             </li>
           ))}

@@ -13,6 +13,7 @@ import type { DeformStep } from '../../../recipe/steps/deform';
 import { vertexSetKey } from '../../vertex-sets';
 import { type StepContext, type StepOutcome, signalOf } from '../step-runner';
 import { handlesKey, held, specsOf, targetsOf } from './handles';
+import { isTooLarge, sizeOfIsolines } from './isoline-size';
 
 export interface IsolineFigures {
   readonly unknowns: number;
@@ -33,8 +34,8 @@ export async function runIsolines(
   context: StepContext,
 ): Promise<StepOutcome<IsolineFigures>> {
   const input = context.inputs[0]!;
-  const { surface, prepared } = await prepareIsolines(step, context);
   const full = context.settle && step.options.settle !== 'reduced';
+  const { surface, prepared } = await prepareIsolines(step, context, full);
   const posed = await context.kernel.call(
     'poseIsolines',
     { isolines: prepared.id, targets: targetsOf(held(step), input.model.positions), settle: full },
@@ -59,11 +60,19 @@ export interface IsolineDrag extends IsolineFrame {
   readonly prepared: PreparedIsolines;
 }
 
-/** One frame of a drag, from where the last one ended. `null` where nothing is held. */
+/**
+ * One frame of a drag, from where the last one ended. `null` where nothing is held, and where the model is too large for
+ * the method but has another to be moved by.
+ */
 export async function dragIsolines(step: DeformStep, context: StepContext): Promise<IsolineDrag | null> {
   const handles = held(step);
   if (handles.length === 0) return null;
-  const { prepared } = await prepareIsolines(step, context);
+  const ready = await prepareIsolines(step, context).catch((error: unknown) => {
+    if (step.method !== 'isolines' && isTooLarge(error)) return null;
+    throw error;
+  });
+  if (!ready) return null;
+  const { prepared } = ready;
   const targets = targetsOf(handles, context.inputs[0]!.model.positions);
   const frame = await context.kernel.call(
     'dragIsolines',
@@ -96,18 +105,23 @@ export async function fieldOfHandle(
   return (await context.kernel.call('isolineField', args, signalOf(context))).values;
 }
 
-async function prepareIsolines(step: DeformStep, context: StepContext) {
+/** @param settled  whether a full pass is to follow */
+async function prepareIsolines(step: DeformStep, context: StepContext, settled = false) {
   const input = context.inputs[0]!;
-  const { kernel, onProgress } = context;
+  const { kernel, onProgress, onPreparation } = context;
+  const options = optionsOf(step);
+  const size = await sizeOfIsolines(step, options, settled, context);
   const surface = await kernel.hold(
     'prepareIsolineModel',
     input.key,
-    { model: input.opened.id },
+    () => {
+      onPreparation(size);
+      return { model: input.opened.id };
+    },
     { ...signalOf(context), onProgress: (fraction) => onProgress(SURFACE * fraction) },
   );
   const handles = held(step);
   const count = vertexCount(input.model);
-  const options = optionsOf(step);
   const prepared = await kernel.hold(
     'prepareIsolines',
     hashValue({
@@ -116,12 +130,15 @@ async function prepareIsolines(step: DeformStep, context: StepContext) {
       handles: handlesKey(handles),
       options,
     }),
-    () => ({
-      isolineModel: surface.id,
-      roi: toIndices(step.roi, count),
-      handles: specsOf(handles, count),
-      options,
-    }),
+    () => {
+      onPreparation(size);
+      return {
+        isolineModel: surface.id,
+        roi: toIndices(step.roi, count),
+        handles: specsOf(handles, count),
+        options,
+      };
+    },
     { ...signalOf(context), onProgress: (fraction) => onProgress(SURFACE + (FIELDS - SURFACE) * fraction) },
   );
   return { surface, prepared };
