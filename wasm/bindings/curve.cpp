@@ -133,6 +133,7 @@ val attributes(const HeldCurves& held) {
         result.set("rows", typed_array(found.rows.data(), found.rows.size()));
         result.set("weights", typed_array(found.weights.data(), found.weights.size()));
         result.set("centre", centre);
+        result.set("frames", typed_array(found.frames.data(), found.frames.size()));
         return result;
     });
 }

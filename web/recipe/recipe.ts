@@ -20,7 +20,7 @@ export const STEP_TYPES = {
   merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
   transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
-  curves: stepType(curvesStep, { main: 'model', writes: 'mesh', workspace: null }),
+  curves: stepType(curvesStep, { main: 'model', writes: 'mesh', skin: true, workspace: null }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */
@@ -44,6 +44,8 @@ const output = v.strictObject({
     v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders'),
     v.maxBytes(255, 'a file name of at most 255 bytes'),
   ),
+  /** The model at rest with joints that hold the pose, instead of the posed model; what is kept to be played is played. */
+  skin: v.optional(v.boolean()),
 });
 
 const stepSchema = v.variant(

@@ -213,7 +213,14 @@ CurveTable CurveSession::table(std::span<const CurvePosture> postures) const {
 CurveAttributes CurveSession::attributes() const {
     const State& s = *state_;
     const std::size_t n = static_cast<std::size_t>(s.rest.rows());
-    CurveAttributes result{std::vector<float>(4 * n, 0), std::vector<float>(4 * n, 0), s.centre};
+    CurveAttributes result{std::vector<float>(4 * n, 0), std::vector<float>(4 * n, 0), s.centre, {}};
+    for (const EncodedCurve& curve : s.curves)
+        for (int i = 0; i < k_rows; ++i) {
+            const CurveFrame& frame = curve.frame_at(i);
+            const Vector3d origin = frame.origin + s.centre;
+            result.frames.insert(result.frames.end(), origin.data(), origin.data() + 3);
+            result.frames.insert(result.frames.end(), frame.axes.data(), frame.axes.data() + 9);
+        }
     for (int c = 0; c < curve_count(); ++c)
         for (std::size_t i = 0; i < s.singles[c].vertices.size(); ++i) {
             const std::size_t v = static_cast<std::size_t>(s.singles[c].vertices[i]);

@@ -72,6 +72,8 @@ export interface CurveAttributes {
   /** 0 where there is none; what is left to 1 rests. */
   readonly weights: Float32Array;
   readonly centre: readonly [number, number, number];
+  /** 12 a row at rest: origin in model space, then the axes u, v, w. What bones are made from. */
+  readonly frames: Float64Array;
 }
 
 /** What it needs for each pose: 5 texels of 4 numbers a row, 256 rows a curve. */

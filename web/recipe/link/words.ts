@@ -29,5 +29,7 @@ export const WORDS: readonly string[] =
     // more of transfer
     'strength keepStretch ' +
     // more of curves
-    'base anchor child parent at poses time start end blending encoding guard ownership geodesic gaussian kernel slabs symmetric thesis none'
+    'base anchor child parent at poses time start end blending encoding guard ownership geodesic gaussian kernel slabs symmetric thesis none ' +
+    // more of outputs
+    'skin'
   ).split(' ');

@@ -70,6 +70,7 @@ struct CurveAttributes {
     std::vector<float> rows;    ///< curve · 256 + row
     std::vector<float> weights; ///< 0 where there is none
     Eigen::Vector3d centre;     ///< c
+    std::vector<double> frames; ///< of each row at rest: origin (source space), u, v, w; 12 a row. What bones are made from
 };
 
 /// Curves on a model: prepared once, posed many times.
