@@ -44,6 +44,13 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   growHair: 'in slices', // 0.2 s
   hairField: 'with its worker', // 0.1 s
   hairConstraints: 'with its worker', // 0
+  prepareSketch: 'with its worker', // 0.3 s
+  sketchCurve: 'with its worker', // 0.1 s
+  curveRegion: 'with its worker', // 0.2 s
+  proposeCurves: 'with its worker', // 1 s
+  lineWeights: 'with its worker', // 0.5 s
+  prepareContours: 'in slices', // the first one, which numbers edges: 0.3 s
+  contourLines: 'in slices', // 0.05 s
 };
 
 test('what is said to go on in slices takes a job, and nothing else does', () => {

@@ -150,18 +150,19 @@ Stroke along(const Creature& creature, const Limb& limb, double noise, std::uint
             for (int z = -1; z <= 1; ++z) {
                 if (x == 0 && y == 0 && z == 0) continue;
                 const View view = view_of(creature.mesh, Vector3d(x, y, z));
-                double seen = 0, all = 0, length = 0;
+                double seen = 0, alone = 0, all = 0, length = 0;
                 for (const Bone& bone : bones) {
                     for (int k = 0; k <= 8; ++k) {
                         const Vector3d p = bone.a + (bone.b - bone.a) * k / 8.0;
                         const double r = bone.ra + (bone.rb - bone.ra) * k / 8.0, back = 10 * diagonal(creature.mesh.points);
                         const auto hits = creature.surface->tree().hits(creature.working->to_working(Vector3d(p - back * view.forward)), view.forward);
                         seen += !hits.empty() && back - hits.front().depth * creature.working->scale < 2 * r ? 1 : 0;
+                        alone += hits.size() == 2 ? 1 : 0;
                         all += 1;
                     }
                     length += (view.to_screen(bone.b) - view.to_screen(bone.a)).norm() * view.pixel / (bone.b - bone.a).norm();
                 }
-                const double worth = 3 * seen / all + length / static_cast<double>(bones.size());
+                const double worth = 3 * seen / all + 0.5 * alone / all + length / static_cast<double>(bones.size());
                 if (worth > most) {
                     most = worth;
                     best = view;

@@ -6,8 +6,9 @@
 #include "lissom/mesh/plane_section.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <optional>
+#include <limits>
 #include <string>
 
 namespace lissom {
@@ -29,6 +30,10 @@ struct Through {
 
 /// Two crossings nearer than this are one, at an edge or a doubled sheet; in diagonals.
 constexpr double k_same = 1e-6;
+/// A ray through more than so many half widths of the limb has gone on into something else.
+constexpr double k_deepest = 1.5;
+/// No part of a limb counts as thicker than so many times its median half depth.
+constexpr double k_thickest = 1.8;
 
 Through cast(const CurveSurface& surface, const Vector3d& origin, const Vector3d& direction) {
     const Vector3d from = surface.working().to_working(origin), along = direction.normalized();
@@ -48,6 +53,31 @@ Through cast(const CurveSurface& surface, const Vector3d& origin, const Vector3d
     }
     through.within = surface.working().closed && crossings % 2 == 1;
     return through;
+}
+
+/// Half the width of a limb on the screen: how far to the left and to the right of where the ray enters the surface goes on without a
+/// jump in depth. One side more than twice as far as the other has run into something else and does not count. Infinite where neither side ends within three half depths.
+double half_width(const CurveSurface& surface, const Through& ray, const Vector3d& along, const Vector3d& stroke) {
+    constexpr int steps = 8; // a half depth
+    const double reach = ray.half_depth(), step = reach / steps;
+    const Vector3d aside = along.cross(stroke).normalized();
+    std::array<double, 2> width{};
+    width.fill(std::numeric_limits<double>::infinity());
+    for (const int side : {0, 1}) {
+        double before = reach;
+        for (int k = 1; k <= 3 * steps; ++k) {
+            const Vector3d from = ray.entry + (2 * side - 1) * k * step * aside - reach * along;
+            const std::vector<RayHit> hits = surface.tree().hits(from, along);
+            if (!hits.empty() && hits.front().depth - before < 4 * step) {
+                before = hits.front().depth;
+                continue;
+            }
+            width[side] = (k - 0.5) * step;
+            break;
+        }
+    }
+    const auto [less, more] = std::minmax(width[0], width[1]);
+    return more > 2 * less ? less : (less + more) / 2;
 }
 
 Finding finding(const char* code, int count) { return {.code = code, .count = count, .examples = {}, .repaired = true}; }
@@ -85,19 +115,27 @@ SplineCurve through(const std::vector<Vector3d>& at) {
     return SplineCurve(controls);
 }
 
+double median(std::vector<double> values) {
+    std::nth_element(values.begin(), values.begin() + std::ssize(values) / 2, values.end());
+    return values[values.size() / 2];
+}
+
 /// Moves the points to the centres of their limb's sections where those are the limb's. @returns its radius at each
 std::vector<double> centre(const CurveSurface& surface, std::vector<Vector3d>& at, const std::vector<double>& half_depth, int rounds) {
     const std::vector<Vector3d> start = at;
+    const double usual = median(half_depth);
     std::vector<double> radius = half_depth;
+    for (double& r : radius) r = std::min(r, k_thickest * usual);
+    const std::vector<double> fallback = radius;
     for (int round = 0; round < rounds; ++round) {
         const SplineCurve curve = through(at);
         for (std::size_t i = 0; i < at.size(); ++i) {
             const Vector3d u = curve.tangent(static_cast<double>(i) / static_cast<double>(at.size() - 1));
             const std::vector<SectionLine> lines = plane_section(surface.mesh(), surface.tree(), u, at[i]);
             const int l = line_around(lines, u, at[i]);
-            const bool is_limb = l >= 0 && lines[l].closed && lines[l].radius() < 1.6 * half_depth[i] && (lines[l].centroid - start[i]).norm() < half_depth[i];
+            const bool is_limb = l >= 0 && lines[l].closed && lines[l].radius() < 1.6 * fallback[i] && (lines[l].centroid - start[i]).norm() < fallback[i];
             at[i] = is_limb ? lines[l].centroid : start[i];
-            radius[i] = is_limb ? lines[l].radius() : half_depth[i];
+            radius[i] = is_limb ? lines[l].radius() : fallback[i];
         }
     }
     return radius;
@@ -129,6 +167,15 @@ ExtractedCurve extract_curve(const CurveSurface& surface, const Stroke& drawn, c
     curve.kind = is_sheet || options.kind == ExtractOptions::Kind::surface ? CurveKind::surface : CurveKind::skeleton;
     if (is_sheet && options.kind == ExtractOptions::Kind::skeleton) curve.warnings.push_back(finding("open-sheet", 1));
 
+    if (curve.kind == CurveKind::skeleton)
+        for (int i = 0; i < static_cast<int>(all.size()); ++i) {
+            if (all[i].triangle < 0 || !all[i].leaves) continue;
+            const Vector3d along = line.directions.row(first + i).normalized();
+            const int a = std::max(0, i - 2), b = std::min(static_cast<int>(all.size()) - 1, i + 2);
+            const Vector3d stroke = all[b].entry - all[a].entry;
+            const double width = half_width(surface, all[i], along, stroke - stroke.dot(along) * along);
+            if (all[i].half_depth() > k_deepest * width) all[i].exit = all[i].entry + 2 * width * along; // then it is taken to be round
+        }
     std::vector<Vector3d> at;
     std::vector<double> half_depth;
     for (const double sample : control_samples(part_of(line, first, last), options.fit, options.least_controls, options.most_controls)) {

@@ -1,5 +1,6 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { Handlers } from '../serve';
+import { contourHandlers } from './contour';
 import { curveHandlers } from './curve';
 import { deformHandlers } from './deform';
 import { hairHandlers } from './hair';
@@ -7,6 +8,7 @@ import { isolineHandlers } from './isoline';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
+import { sketchHandlers } from './sketch';
 import { transferHandlers } from './transfer';
 
 /** One line per wing: the registry of this floor. */
@@ -20,5 +22,7 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),
     ...curveHandlers(wasm, registry),
+    ...sketchHandlers(wasm, registry),
+    ...contourHandlers(wasm, registry),
   };
 }

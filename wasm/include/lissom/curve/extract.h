@@ -34,7 +34,9 @@ struct ExtractedCurve {
 /// The curve that a stroke means.
 ///
 /// Rays that miss at the two ends are dropped (a stroke may begin or end beside the model); those between are bridged. A skeleton's
-/// control points begin midway between where the view ray enters and first leaves the model. Then, some rounds: the section across
+/// control points begin midway between where the view ray enters and first leaves the model, or as far behind
+/// the entry as the limb is wide where the ray goes on into something else (more than 1.5 times as deep as wide; the width is found by steps
+/// aside to the limb's edges on the screen). Then, some rounds: the section across
 /// the curve at each point, its line around the point, the centroid of its area; taken only where that is a section of the same limb: its radius √(A/π)
 /// below 1.6 times half the depth, the shift below half the depth; else the ray's midpoint stays (a section through a branch is that of
 /// the trunk). A surface curve's control points lie where rays enter.
