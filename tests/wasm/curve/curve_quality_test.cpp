@@ -10,6 +10,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 using namespace posing;
 using Eigen::AngleAxisd;
@@ -19,7 +20,7 @@ using Eigen::Vector3d;
 namespace {
 
 const CurveOptions k_kernel{}, k_slabs{.encoding = lissom::CurveEncoding::slabs, .guard = lissom::CurveGuard::none};
-const CurveOptions k_unguarded{.guard = lissom::CurveGuard::none};
+const CurveOptions k_unguarded{.guard = lissom::CurveGuard::none}, k_unblended{.guard = lissom::CurveGuard::none, .kernel = 0};
 
 CurveSpec along(const Points& rest) { return {.rest = rest}; }
 
@@ -51,7 +52,7 @@ TEST_CASE("bars bent and twisted are smooth, the slabs of the thesis show stairs
             figures[slabs][0] = percentile(changes, 0.99);
             figures[slabs][1] = percentile(changes, 0.999);
         }
-        MESSAGE(name << ": dihedral change, 99 and 99.9 %: " << figures[0][0] << ", " << figures[0][1] << "; slabs " << figures[1][0] << ", " << figures[1][1]);
+        MESSAGE(std::string(name) << ": dihedral change, 99 and 99.9 %: " << figures[0][0] << ", " << figures[0][1] << "; slabs " << figures[1][0] << ", " << figures[1][1]);
         CHECK(figures[0][1] < 2);
         CHECK(figures[0][0] < figures[1][0]);
     }
@@ -61,17 +62,19 @@ TEST_CASE("the guard bends a bar to 110 and 135 degrees without crossings") {
     const TriangleMesh mesh = bar(16);
     CurveSpec spec = along(bent(0));
     spec.anchor = lissom::CurveEnd::start;
-    const CurveSession guarded = session(mesh, {spec}), plain = session(mesh, {spec}, {}, k_unguarded);
+    const CurveSession guarded = session(mesh, {spec}), plain = session(mesh, {spec}, {}, k_unblended);
     const CurveSession thesis = session(mesh, {spec}, {}, {.guard = lissom::CurveGuard::thesis});
     for (const double degrees : {90.0, 110.0, 135.0}) {
         const CurvePosture posture{.points = bent(degrees)};
         const auto with = guarded.posed({&posture, 1}), without = plain.posed({&posture, 1}), of_thesis = thesis.posed({&posture, 1});
         const int crossed = crossings(mesh, with.positions), open = crossings(mesh, without.positions);
-        MESSAGE(degrees << " degrees: crossings " << open << " without, " << crossed << " with the guard (tilt " << with.strain.tilt << ", volume "
+        // A spline through three points grows as it bends: the bar grows along, as by any stretch.
+        const double longer = lissom::SplineCurve(bent(degrees)).length() / 10;
+        MESSAGE(degrees << " degrees, curve " << longer << " times as long: crossings " << open << " without, " << crossed << " with the guard (tilt " << with.strain.tilt << ", volume "
                         << volume(mesh, with.positions) << "), thesis " << crossings(mesh, of_thesis.positions) << " (tilt " << of_thesis.strain.tilt << ", volume "
                         << volume(mesh, of_thesis.positions) << "); bend " << without.strain.bend);
         CHECK(crossed == 0);
-        CHECK(volume(mesh, with.positions) == doctest::Approx(1).epsilon(0.02));
+        CHECK(std::abs(volume(mesh, with.positions) / longer - 1) < 0.02);
         CHECK(with.strain.tilt < 30);
         if (degrees > 100) CHECK(open > 100);
     }
@@ -93,6 +96,10 @@ TEST_CASE("an octopus curls an arm by 270 degrees without a flipped triangle") {
         std::vector<Vector3d> joints{octopus.bones(limb).front().a};
         for (const limbs::Bone& bone : octopus.bones(limb)) joints.push_back(bone.b);
         CurveSpec spec = along(row_list(joints));
+        const lissom::SplineCurve drawn(spec.rest); // as it is drawn: more points than bones
+        joints.clear();
+        for (int i = 0; i < 9; ++i) joints.push_back(drawn.point(drawn.parameter(drawn.length() * i / 8)));
+        spec.rest = row_list(joints);
         spec.anchor = lissom::CurveEnd::start;
         // Each segment is turned by more and more about one axis, its length kept.
         const auto curled = [&](double degrees) {
@@ -136,6 +143,7 @@ TEST_CASE("people raise their arms and walk, beside the truth") {
         if (truth.rest.vertex_count() == 0) return;
         const double tall = truth.rest.points.col(1).maxCoeff() - truth.rest.points.col(1).minCoeff();
         const CurveSession made = session(truth.rest, truth.curves, truth.links);
+        for (int c = 1; c < 4; c += 2) MESSAGE("radius of limb " << c << " at its link: " << made.radii(c).front());
         const int at_rest = crossings(truth.rest, truth.rest.points);
         for (const bool twist : {false, true}) {
             const std::vector<CurvePosture> postures = people::postures(truth, made, twist);
@@ -143,7 +151,7 @@ TEST_CASE("people raise their arms and walk, beside the truth") {
             const Eigen::VectorXd error = (moved - truth.posed).rowwise().norm() / tall * 100;
             const int crossed = crossings(truth.rest, moved);
             const auto changes = dihedral_changes(truth.rest, moved);
-            MESSAGE(pose << (twist ? ", with twist" : ", points only") << ": error in % of the height: mean " << error.mean() << ", max " << error.maxCoeff() << "; crossings "
+            MESSAGE(pose << std::string(twist ? ", with twist" : ", points only") << ": error in % of the height: mean " << error.mean() << ", max " << error.maxCoeff() << "; crossings "
                          << crossed << " (rest " << at_rest << "), 99.9 % of dihedral changes under " << percentile(changes, 0.999));
             const bool walk = pose == "walk";
             CHECK(error.mean() <= (twist ? (walk ? 0.25 : 0.2) : (walk ? 0.5 : 0.25)));

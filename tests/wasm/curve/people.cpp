@@ -111,7 +111,7 @@ std::vector<lissom::CurvePosture> postures(const Person& person, const lissom::C
     std::vector<lissom::CurvePosture> result(count);
     for (int c = 0; c < count; ++c) {
         const Eigen::Affine3d from_parent = session.parent_motions(result)[c]; // parents come first
-        const Points world = posing::row_list(person.joints[c]);
+        const lissom::Points world = posing::row_list(person.joints[c]);
         result[c].points = posing::mapped(world, from_parent.inverse());
         if (!twist) continue;
         lissom::EncodedCurveOptions options;

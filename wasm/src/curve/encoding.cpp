@@ -117,9 +117,16 @@ std::vector<EncodedCurve::Across> EncodedCurve::across(const CurvePosture& postu
     if (options_.held) {
         const bool end = options_.anchor == CurveEnd::end;
         const double width = std::min(k_fade * (end ? options_.radius.back() : options_.radius.front()), curve_.length() / 4);
+        // What the held end itself was given is taken away there, so that a twist that begins at nothing is left alone.
+        const auto at_end = [&](const auto& values) { return end ? values.back() : values.front(); };
+        const double twist = posture.twist.empty() ? 0 : at_end(posture.twist);
+        const std::array<double, 2> scale = posture.scale.empty() ? std::array<double, 2>{1, 1} : at_end(posture.scale);
         for (std::size_t j = 0; j < lengths.size(); ++j) {
-            const double share = smoothstep((end ? curve_.length() - lengths[j] : lengths[j]) / width);
-            result[j] = {share * result[j].twist, 1 + share * (result[j].scale_v - 1), 1 + share * (result[j].scale_w - 1)};
+            const double fading = 1 - smoothstep((end ? curve_.length() - lengths[j] : lengths[j]) / width);
+            if (fading <= 0) continue;
+            result[j].twist -= fading * twist;
+            result[j].scale_v /= std::pow(scale[0], fading);
+            result[j].scale_w /= std::pow(scale[1], fading);
         }
     }
     return result;

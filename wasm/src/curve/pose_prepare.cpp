@@ -187,6 +187,10 @@ void CurveSession::State::find_region(int c) {
         const SplineCurve in_source = spline(spec.rest, spec.rigid);
         radii[c] = curve_radius(*surface, in_source);
         if (order.linked[c]) {
+            // At a link the section is that of the trunk; the limb is as thick as it is one control point on.
+            std::vector<double>& r = radii[c];
+            r.front() = std::min(r.front(), r[1]);
+            r.back() = std::min(r.back(), r[r.size() - 2]);
             for (int p = 0; p < places; ++p) look_at(p, centred.nearest(place(p)));
             if (spec.region)
                 for (const int v : *spec.region)

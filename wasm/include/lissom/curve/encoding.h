@@ -50,7 +50,7 @@ struct CurveRows {
 /// applied to the table, not to vertices. In rest arc length a straight stretch stays exact (in the spline's t it errs by 4e-3 of the
 /// length); the taper keeps the body beyond the ends still. Figures beside the thesis's slabs are in docs/curves.md.
 ///
-/// At the two ends stretch is left out, or it would scale everything beyond them. At a held end twist and scale fade out.
+/// At the two ends stretch is left out, or it would scale everything beyond them. At a held end what twist and scale it was given fades out.
 /// Source: Blanco 5.1–5.3. Changed: interpolated frames instead of those of 200 slabs.
 /// Cost: pose() some thousand frames whatever the model.
 class EncodedCurve {
