@@ -20,7 +20,7 @@ export const STEP_TYPES = {
   merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
   transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
-  curves: stepType(curvesStep, { main: 'model', writes: 'mesh', skin: true, workspace: null }),
+  curves: stepType(curvesStep, { main: 'model', writes: 'mesh', skin: true, workspace: 'curves' }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */

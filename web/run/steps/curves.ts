@@ -2,6 +2,8 @@
 
 import { LissomError } from '../../core/errors';
 import { withPositions } from '../../core/model';
+import type { Args } from '../../kernel/contract';
+import type { CurvePosture } from '../../kernel/contract/curve';
 import type { Curve, CurvesStep } from '../../recipe/steps/curves';
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
@@ -22,7 +24,59 @@ const UNTIMED = { regions: 0, encode: 0, pose: 0 };
 
 export const curvesRunner = {
   /** The one on screen, and the one to switch back to. */
-  keeps: { prepareCurves: 2 },
+  keeps: { prepareCurves: 2, prepareSketch: 1 },
+
+  questions: {
+    /** The curve that a stroke on the step's input means. */
+    sketchedCurve: async (_: CurvesStep, context: StepContext, args: Omit<Args<'sketchCurve'>, 'sketch'>) =>
+      context.kernel.call(
+        'sketchCurve',
+        { sketch: (await prepareSketch(context)).id, ...args },
+        signalOf(context),
+      ),
+    /** Curves to begin with. */
+    proposedCurves: async (_: CurvesStep, context: StepContext) =>
+      context.kernel.call('proposeCurves', { sketch: (await prepareSketch(context)).id }, signalOf(context)),
+    /** What follows each curve, and which end of it stays; the same object for as long as that holds. */
+    preparedCurves: prepareCurves,
+    /** What each curve takes over from its parent. */
+    curveParents: async (step: CurvesStep, context: StepContext) =>
+      context.kernel.call(
+        'curveParents',
+        { curves: (await prepareCurves(step, context)).id, postures: step.curves.map(postureOf) },
+        signalOf(context),
+      ),
+    /** How far a drag from the step's posture to another may go. */
+    curveDragLimit: async (
+      step: CurvesStep,
+      context: StepContext,
+      { to }: { readonly to: readonly Omit<Curve, 'id' | 'kind' | 'rest'>[] },
+    ) =>
+      context.kernel.call(
+        'curveDragLimit',
+        {
+          curves: (await prepareCurves(step, context)).id,
+          from: step.curves.map(postureOf),
+          to: to.map(postureOf),
+        },
+        signalOf(context),
+      ),
+    chainReach: async (_: CurvesStep, context: StepContext, args: Args<'reachCurve'>) =>
+      context.kernel.call('reachCurve', args, signalOf(context)),
+    /** The curves as joints, and the poses that are kept as an animation. */
+    skin: (step: CurvesStep, context: StepContext) => skinOf(step, context),
+    /** Faces that meet others, at these positions of the input's vertices. */
+    crossingFaces: async (
+      _: CurvesStep,
+      context: StepContext,
+      { positions }: { readonly positions: Float64Array },
+    ) =>
+      context.kernel.call(
+        'selfIntersections',
+        { model: context.inputs[0]!.opened.id, positions },
+        signalOf(context),
+      ),
+  },
 
   check(step, path, [input]) {
     const known = new Set<string>();
@@ -72,12 +126,13 @@ export const curvesRunner = {
       warnings: prepared.warnings,
     };
   },
-
-  questions: {
-    /** The curves as joints, and the poses that are kept as an animation. */
-    skin: (step: CurvesStep, context: StepContext) => skinOf(step, context),
-  },
 } satisfies StepRunner<CurvesStep>;
+
+/** What strokes on the step's input are read with: who neighbours whom, what a ray meets. */
+function prepareSketch(context: StepContext) {
+  const [input] = context.inputs as [ModelResult];
+  return context.kernel.hold('prepareSketch', input.key, { model: input.opened.id }, signalOf(context));
+}
 
 const counted = new WeakMap<Float64Array, number>();
 
