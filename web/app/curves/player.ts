@@ -1,9 +1,6 @@
-import { betweenPoses } from '../../recipe/steps/curves-poses';
+import { beginnings, betweenPoses } from '../../recipe/steps/curves-poses';
 import type { CurvesEdits } from './edits';
 import type { CurvesState } from './state';
-
-/** Seconds from one pose to the next that says no time. */
-const PACE = 0.8;
 
 /** Plays the poses one after the other, and from the last to the first again; the document stays as it is. */
 export class Player {
@@ -54,15 +51,4 @@ export class Player {
     };
     this.#frame = requestAnimationFrame(next);
   }
-}
-
-/** When each pose is reached, in seconds, and when the first is again. */
-export function beginnings(poses: readonly { readonly time?: number | undefined }[]): number[] {
-  const out: number[] = [];
-  for (const { time } of poses) {
-    const before = out.at(-1);
-    if (before === undefined) out.push(0);
-    else out.push(time !== undefined && time > before ? time : before + PACE);
-  }
-  return [...out, out.at(-1)! + PACE];
 }

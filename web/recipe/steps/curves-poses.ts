@@ -133,3 +133,17 @@ export const standsIn = (step: CurvesStep, pose: CurvePose): boolean =>
     const { id: _, ...held } = pose.curves.find(({ id }) => id === curve.id) ?? { id: '' };
     return JSON.stringify(postureOf(curveById(step, curve.id)!)) === JSON.stringify(postureOf(held));
   });
+
+/** Seconds from one pose to the next that says no time. */
+const PACE = 0.8;
+
+/** When each pose is reached, in seconds, and when the first is again. */
+export function beginnings(poses: readonly { readonly time?: number | undefined }[]): number[] {
+  const out: number[] = [];
+  for (const { time } of poses) {
+    const before = out.at(-1);
+    if (before === undefined) out.push(0);
+    else out.push(time !== undefined && time > before ? time : before + PACE);
+  }
+  return [...out, out.at(-1)! + PACE];
+}

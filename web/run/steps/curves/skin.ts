@@ -3,9 +3,9 @@
 import { JOINT, type Skin } from '../../../core/skin';
 import type { CurveAttributes } from '../../../kernel/contract/curve';
 import type { CurvePosture, CurvesStep } from '../../../recipe/steps/curves';
-import { postureBetween, posturesIn, timedPoses } from './played';
 import { type StepContext, signalOf } from '../step-runner';
 import { postureOf, prepareCurves } from './kernel-words';
+import { played } from './played';
 
 /** Rows of a curve's table, and the numbers of one. */
 const ROWS = 256;
@@ -15,9 +15,6 @@ const FRAME = 12;
 const JOINTS = 32;
 /** Influences of a vertex: all that most programs read. */
 const INFLUENCES = 4;
-/** Poses a second between two that were kept: joints go in straight lines from one to the next, limbs do not. */
-const RATE = 12;
-
 const rowOf = (joint: number): number => Math.round((joint * (ROWS - 1)) / (JOINTS - 1));
 
 /** Joints at equal steps along every curve, each vertex moved by those beside its place: what the table's rows do, thinned out. */
@@ -30,8 +27,8 @@ export async function skinOf(step: CurvesStep, context: StepContext): Promise<Sk
     return placed((await context.kernel.call('curveTable', args, signal)).texels, attributes);
   };
   const keys = [];
-  for (const { time, postures } of playedPostures(step)) {
-    const joints = await standing(postures);
+  for (const { time, curves } of played(step)) {
+    const joints = await standing(curves);
     alike(joints, keys.at(-1)?.joints);
     keys.push({ time, joints });
   }
@@ -46,23 +43,6 @@ export async function skinOf(step: CurvesStep, context: StepContext): Promise<Sk
 
 const numbered = (id: string): string[] =>
   Array.from({ length: JOINTS }, (_, j) => `${id}.${String(j).padStart(2, '0')}`);
-
-/** The poses that were kept, and others between them. */
-function* playedPostures({ poses, curves }: CurvesStep) {
-  const timed = timedPoses(poses).map(({ time, pose }) => ({ time, postures: posturesIn(pose, curves) }));
-  for (const [at, { time, postures }] of timed.entries()) {
-    yield { time, postures };
-    const next = timed[at + 1];
-    const count = next ? Math.ceil((next.time - time) * RATE) : 0;
-    for (let k = 1; k < count; k++)
-      yield {
-        time: time + (k / count) * (next!.time - time),
-        postures: curves.map(({ rest }, c) =>
-          postureBetween(rest, postures[c]!, next!.postures[c]!, k / count),
-        ),
-      };
-  }
-}
 
 /** Joints of all curves behind the one that rests. @param texels  of a pose; none: at rest */
 function placed(texels: Float32Array | undefined, { frames, centre }: CurveAttributes): Float64Array {
