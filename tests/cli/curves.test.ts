@@ -11,14 +11,14 @@ const AXIS = [0, 1, 2, 3, 4].map((k) => [0, 0.2 + 0.4 * k, 0]);
 const BENT = AXIS.map(([x, y, z]) => [x! + 0.3 * (y! - 0.2) ** 2, y, z]);
 const curve = (more: object = {}) => ({ id: 'c', kind: 'skeleton', rest: AXIS, ...more });
 
-async function curves(fields: object, command = 'run') {
+async function curves(fields: object, command = 'run', outputs: object[] = [{ step: 's', file: 'o.ply' }]) {
   const shell = new Shell();
   shell.write('m.ply', writeModel(MODEL, 'ply'));
   const recipe = shell.write('r.json', {
     lissom: 1,
     models: { m: { file: 'm.ply' } },
     steps: [{ id: 's', type: 'curves', model: 'm', curves: [curve()], ...fields }],
-    outputs: [{ step: 's', file: 'o.ply' }],
+    outputs,
   });
   const out = ['--out', shell.path('out'), '--report', shell.path('report.json')];
   return { shell, ...(await shell.lissom([command, recipe, ...(command === 'run' ? out : [])])) };
@@ -57,6 +57,29 @@ test('poses that are kept change nothing of what is left', async () => {
   });
   expect(status).toBe(0);
   expect(shell.model('out/o.ply').positions[1]).toBeCloseTo(MODEL.positions[1]!, 12);
+});
+
+test('an output that asks for a skin is one; without it .glb is the posed model', async () => {
+  const outputs = [
+    { step: 's', file: 'skin.glb', skin: true },
+    { step: 's', file: 'posed.glb' },
+  ];
+  const { shell, status, stderr } = await curves(
+    { curves: [curve({ posed: BENT, anchor: 'start' })], poses: [{ name: 'rest', curves: [] }] },
+    'run',
+    outputs,
+  );
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  const top = MODEL.positions.length - 3;
+  expect(shell.model('out/skin.glb').positions[top]).toBeCloseTo(MODEL.positions[top]!, 5);
+  expect(shell.model('out/posed.glb').positions[top]! - MODEL.positions[top]!).toBeGreaterThan(0.5);
+  expect(shell.read('out/skin.glb')).toMatch(/"skins":.*"animations":|"animations":.*"skins":/);
+});
+
+test('a skin goes into glTF only', async () => {
+  const { status, stderr } = await curves({}, 'check', [{ step: 's', file: 'o.ply', skin: true }]);
+  expect(status).toBe(2);
+  expect(stderr).toMatch(/outputs\[0\]\.skin: "o\.ply" cannot hold a skin; end its name in \.glb or \.gltf/);
 });
 
 describe.each(['check', 'run'])('%s refuses', (command) => {

@@ -1,7 +1,6 @@
 // Curves as a skin, on the real kernel: read by the loader of three.js, it stands as the kernel's poses do.
 
-import { Bone, type Object3D, type SkinnedMesh, Vector3 } from 'three';
-import { AnimationMixer } from 'three';
+import { AnimationMixer, Bone, type Object3D, type SkinnedMesh, Vector3 } from 'three';
 import { type GLTF, GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { beforeAll, expect, test } from 'vitest';
 import type { Model } from '../../web/core/model';
@@ -11,7 +10,8 @@ import { writeSkinnedGltf } from '../../web/io/gltf-skin';
 import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
-import type { CurvePosture, Recipe } from '../../web/recipe/recipe';
+import type { Recipe } from '../../web/recipe/recipe';
+import type { CurvePosture } from '../../web/recipe/steps/curves';
 import { Runner } from '../../web/run/evaluate';
 import { dome, tube } from '../kernel/tubes';
 
@@ -23,7 +23,10 @@ beforeAll(async () => {
 });
 
 const LENGTH = 2;
-const MODEL: Model = { name: 'm', ...tube(48, 24, (s, t) => dome(s, t).map((x, k) => (k === 1 ? x : 0.3 * x)) as unknown as Point) };
+const MODEL: Model = {
+  name: 'm',
+  ...tube(48, 24, (s, t) => dome(s, t).map((x, k) => (k === 1 ? x : 0.3 * x)) as unknown as Point),
+};
 const heights = (from: number, to: number, count: number) =>
   Array.from({ length: count }, (_, k) => from + ((to - from) * k) / (count - 1));
 const LOWER = heights(0, 1.1, 4).map((y): Point => [0, y, 0]);
@@ -43,7 +46,14 @@ const STRETCHED = LOWER.map(([x, y, z]): Point => [x, 1.3 * y, z]);
 
 const POSES = [
   { name: 'rest', time: 0, curves: [] },
-  { name: 'bowed', time: 1, curves: [{ id: 'lower', posed: bow(LOWER, 40) }, { id: 'upper', posed: bow(UPPER, 60) }] },
+  {
+    name: 'bowed',
+    time: 1,
+    curves: [
+      { id: 'lower', posed: bow(LOWER, 40) },
+      { id: 'upper', posed: bow(UPPER, 60) },
+    ],
+  },
   {
     name: 'stretched',
     time: 2.5,
@@ -176,13 +186,16 @@ test('units, axes and a place far off stay the file\u2019s', async () => {
   const model: Model = { ...MODEL, positions: far, unitMetres: 0.001, upAxis: 'z' };
   const moved = ([x, y, z]: Point): Point => [1000 * x + 1e6, 1000 * y, 1000 * z];
   const lower = bow(LOWER, 50);
-  const recipe = recipeOf({}, {
-    curves: [
-      { id: 'lower', kind: 'skeleton', rest: LOWER.map(moved), posed: lower.map(moved), anchor: 'start' },
-      { id: 'upper', kind: 'skeleton', rest: UPPER.map(moved) },
-    ],
-    poses: [],
-  });
+  const recipe = recipeOf(
+    {},
+    {
+      curves: [
+        { id: 'lower', kind: 'skeleton', rest: LOWER.map(moved), posed: lower.map(moved), anchor: 'start' },
+        { id: 'upper', kind: 'skeleton', rest: UPPER.map(moved) },
+      ],
+      poses: [],
+    },
+  );
   const { gltf } = await skinned(recipe, model);
   const wanted = (await posed([{ id: 'lower', posed: lower }])).slice();
   // Metres, y up.

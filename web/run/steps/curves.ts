@@ -3,7 +3,6 @@
 import { LissomError } from '../../core/errors';
 import { withPositions } from '../../core/model';
 import type { Args } from '../../kernel/contract';
-import type { CurvePosture } from '../../kernel/contract/curve';
 import type { Curve, CurvesStep } from '../../recipe/steps/curves';
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';

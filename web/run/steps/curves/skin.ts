@@ -136,9 +136,11 @@ function alike(joints: Float64Array, before: Float64Array | undefined): void {
 function quaternionOf(axes: Float64Array): number[] {
   const m = (row: number, column: number) => axes[3 * column + row]!;
   const trace = m(0, 0) + m(1, 1) + m(2, 2);
-  const largest = [m(0, 0), m(1, 1), m(2, 2), trace].reduce((best, x, k, all) => (x > all[best]! ? k : best), 0);
-  if (largest === 3)
-    return unit([m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), 1 + trace]);
+  const largest = [m(0, 0), m(1, 1), m(2, 2), trace].reduce(
+    (best, x, k, all) => (x > all[best]! ? k : best),
+    0,
+  );
+  if (largest === 3) return unit([m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), 1 + trace]);
   const [i, j, k] = [largest, (largest + 1) % 3, (largest + 2) % 3];
   const q = [0, 0, 0, m(k, j) - m(j, k)];
   q[i] = 1 - trace + 2 * m(i, i);
