@@ -198,7 +198,46 @@ function wings() {
   };
 }
 
-const shapes = { pipes, block, key, wings, loops };
+/** A grid of points, made of two triangles a cell. @param place  of a row and a column, both from 0 to 1 */
+function sheet(rows, columns, place) {
+  const points = [];
+  for (let i = 0; i <= rows; i++)
+    for (let j = 0; j <= columns; j++) points.push(place(i / rows, j / columns));
+  const triangles = [];
+  for (let i = 0; i < rows; i++)
+    for (let j = 0; j < columns; j++) {
+      const at = i * (columns + 1) + j;
+      triangles.push(...halves(points, [at, at + 1, at + columns + 2, at + columns + 1]));
+    }
+  return { points, triangles };
+}
+
+/** A band with half a turn in it: it has one side. Its ends meet in the same places, not in the same vertices. */
+const moebius = () =>
+  sheet(240, 20, (along, across) => {
+    const angle = 2 * Math.PI * along;
+    const [out, up] = [Math.cos(angle / 2), Math.sin(angle / 2)].map((x) => 0.6 * (across - 0.5) * x);
+    return [(1 + out) * Math.cos(angle), up, (1 + out) * Math.sin(angle)];
+  });
+
+/** Three sheets that share one upright edge. */
+function sheets() {
+  const leaves = [0, 120, 240].map((degrees) => {
+    const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
+    return sheet(48, 48, (out, up) => [out * c, 1.2 * (up - 0.5), out * s]);
+  });
+  const points = [...leaves[0].points];
+  const triangles = [...leaves[0].triangles];
+  for (const leaf of leaves.slice(1)) {
+    // The first row is the edge: it is there already.
+    const shift = points.length - 49;
+    points.push(...leaf.points.slice(49));
+    triangles.push(...leaf.triangles.map((corners) => corners.map((v) => (v < 49 ? v : v + shift))));
+  }
+  return { points, triangles };
+}
+
+const shapes = { pipes, block, key, wings, loops, moebius, sheets };
 const wanted = process.argv.slice(2);
 for (const [name, shape] of Object.entries(shapes)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;

@@ -132,7 +132,45 @@ export const TRANSFER = {
   outputs: [{ step: 't1', file: 'o.ply' }],
 };
 
-export const EXAMPLES: readonly object[] = [DEFORM, MERGE, HAIR, TRANSFER];
+const column = (x: number, bend = 0) => [0, 1, 2, 3].map((k) => [x + bend * k * k, 0.2 + 0.2 * k, 0.05]);
+
+export const CURVES = {
+  lissom: 1,
+  models: { m: { builtin: 'bar' } },
+  steps: [
+    {
+      id: 'c',
+      type: 'curves',
+      model: 'm',
+      curves: [
+        {
+          id: 'trunk',
+          kind: 'skeleton',
+          rest: column(0.05),
+          posed: column(0.05, 0.04),
+          base: [0, 0, 0.1, 0.995],
+          twist: [0, 10, 20, 30],
+          scale: [
+            [1, 1],
+            [1, 1.2],
+            [1.1, 1.2],
+            [1, 1],
+          ],
+          rigid: [1],
+          region: { ranges: [[4, 40]] },
+          anchor: 'start',
+        },
+        { id: 'branch', kind: 'surface', rest: column(0.4).slice(0, 2), twist: [0, 90] },
+      ],
+      links: [{ child: 'branch', parent: 'trunk', at: 0.6 }],
+      options: { blending: 'ownership', encoding: 'kernel', guard: 'symmetric' },
+      poses: [{ name: 'bent', time: 1, curves: [{ id: 'trunk', posed: column(0, 0.1) }] }],
+    },
+  ],
+  outputs: [{ step: 'c', file: 'o.ply' }],
+};
+
+export const EXAMPLES: readonly object[] = [DEFORM, MERGE, HAIR, TRANSFER, CURVES];
 
 function ring(count: number): number[] {
   return Array.from({ length: count }, (_, i) => i);

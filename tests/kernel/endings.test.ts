@@ -30,11 +30,27 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices
   loopsAround: 'with its worker', // 0.2 s
+  prepareCurves: 'in slices', // a region a slice; where curves are linked the last, which factors, 3 s: as above
+  poseCurves: 'with its worker', // 0.1 s
+  curveAttributes: 'with its worker', // 0.1 s
+  curveTable: 'with its worker', // 0.02 s
+  curveNormals: 'with its worker', // 0.3 s
+  curveDragLimit: 'with its worker', // 0.2 s
+  curveParents: 'with its worker', // 0.02 s
+  reachCurve: 'with its worker', // 0
+  selfIntersections: 'with its worker', // 1 s
   openHair: 'in slices', // the first one, which measures the head, 0.7 s: as above
   styleHair: 'with its worker', // 4.5 s
   growHair: 'in slices', // 0.2 s
   hairField: 'with its worker', // 0.1 s
   hairConstraints: 'with its worker', // 0
+  prepareSketch: 'with its worker', // 0.3 s
+  sketchCurve: 'with its worker', // 0.1 s
+  curveRegion: 'with its worker', // 0.2 s
+  proposeCurves: 'with its worker', // 1 s
+  lineWeights: 'with its worker', // 0.5 s
+  prepareContours: 'in slices', // the first one, which numbers edges: 0.3 s
+  contourLines: 'in slices', // 0.05 s
 };
 
 test('what is said to go on in slices takes a job, and nothing else does', () => {

@@ -18,6 +18,7 @@ export const wings = {
   hair: { icon: 'spline', key: 'Shift+2', looks: 'strands', load: () => import('./hair/wing') },
   merge: { icon: 'combine', key: 'Shift+3', load: () => import('./merge/wing') },
   transfer: { icon: 'person-standing', key: 'Shift+4', load: () => import('./transfer/wing') },
+  curves: { icon: 'bone', key: 'Shift+5', load: () => import('./curves/wing') },
 } as const satisfies Readonly<Record<WorkspaceId, Entry>>;
 
 /** In the order of the buttons. */

@@ -4,7 +4,9 @@ import path from 'node:path';
 import { version } from '../../package.json';
 import { LissomError } from '../core/errors';
 import type { ModelFormat } from '../core/model';
+import type { Skin } from '../core/skin';
 import { writeModel } from '../io/formats';
+import { writeSkinnedGltf } from '../io/gltf-skin';
 import { groomFile } from '../io/strands/groom-file';
 import type { StrandFormat } from '../io/strands/options';
 import type { KernelPort } from '../kernel/contract';
@@ -93,12 +95,15 @@ async function run(
     const recipe = await recipeIn(file);
     const models = new FolderModels(path.dirname(file), { allowOutside });
     solver = await kernel();
-    const results = await new Runner({ kernel: solver, models }).run(recipe, {
+    const runner = new Runner({ kernel: solver, models });
+    const results = await runner.run(recipe, {
       signal: stop.signal,
       onProgress: (fraction, step) => progress.update(fraction, step),
       onPreparation: (preparation, step) => progress.preparing(preparation, step),
     });
-    const files = outputsOf(recipe, results, out);
+    const files = await outputsOf(recipe, results, out, (step) =>
+      runner.ask(recipe, step, 'skin', {}, { signal: stop.signal }),
+    );
     if (report !== undefined) files.set(path.resolve(report), reportOf(recipe, results, models.notes));
     stop.check();
     await writeAll(files);
@@ -129,19 +134,23 @@ async function recipeIn(file: string): Promise<Recipe> {
   return parseRecipe(new TextDecoder().decode(await readable('recipe-not-found', file, 'recipe')));
 }
 
-function outputsOf(
+async function outputsOf(
   recipe: Recipe,
   results: ReadonlyMap<string, StepResult>,
   folder: string,
-): Map<string, Uint8Array | string> {
+  skinOf: (step: string) => Promise<Skin>,
+): Promise<Map<string, Uint8Array | string>> {
   const files = new Map<string, Uint8Array | string>();
-  for (const { step, file } of recipe.outputs) {
+  for (const { step, file, skin } of recipe.outputs) {
     const { model, strands } = resultNamed(recipe, results, step);
     const extension = extensionOf(file);
-    const bytes = strands
-      ? groomFile(step, strands, model, extension as StrandFormat)
-      : writeModel(model, extension as ModelFormat);
-    files.set(path.resolve(folder, file), bytes);
+    const write = async () => {
+      if (strands) return groomFile(step, strands, model, extension as StrandFormat);
+      if (!skin) return writeModel(model, extension as ModelFormat);
+      const [rest] = results.get(step)!.inputs;
+      return writeSkinnedGltf(rest!.model, await skinOf(step), extension as 'glb' | 'gltf');
+    };
+    files.set(path.resolve(folder, file), await write());
   }
   return files;
 }

@@ -1,14 +1,14 @@
 import { type FaceGroup, type Model, vertexCount } from '../core/model';
 import { ByteWriter } from './byte-writer';
 import { F32, U8, U16, U32 } from './gltf-accessors';
-import type { GltfAccessor, GltfBufferView, GltfJson, GltfPrimitive } from './gltf-schema';
+import type { GltfAccessor, GltfBufferView, GltfJson, GltfNode, GltfPrimitive } from './gltf-schema';
 import { groupRuns } from './group-runs';
 import { vertexNormals } from './normals';
 import { NO_INDEX, nothingToWrite } from './reading';
 import { fromSrgb } from './srgb';
 import { triangulate } from './triangulate';
 
-const ARRAY = 34962;
+export const ARRAY = 34962;
 const ELEMENT_ARRAY = 34963;
 
 /** Vertices as glTF wants them, one row for each pair of position and texture coordinate. */
@@ -23,16 +23,35 @@ interface Rows {
   readonly faces: Uint32Array;
 }
 
+/** What else goes into a document: written to its buffer at once, put into its JSON at the end. */
+export type GltfAddition = (found: {
+  readonly binary: BufferBuilder;
+  /** Model vertex of each row of the attributes. */
+  readonly vertex: Uint32Array;
+  /** What positions are told from. */
+  readonly origin: readonly number[];
+  /** Of the node with the mesh. */
+  readonly placement: Placement;
+}) => {
+  readonly attributes: Readonly<Record<string, number>>;
+  /** In the place of the node with the mesh; those that are not its children are shown beside it. */
+  readonly nodes: (mesh: GltfNode) => { readonly nodes: GltfNode[]; readonly shown: number[] };
+  readonly more: Readonly<Record<string, unknown>>;
+};
+
 /**
  * A document with one node and one mesh, a primitive for each group. The node turns the model's unit and axis into
  * metres with y up, and holds the place of a model far from its origin, which single precision could not.
  */
-export function buildGltf(model: Model): { json: GltfJson; binary: Uint8Array } {
+export function buildGltf(model: Model, addition?: GltfAddition): { json: GltfJson; binary: Uint8Array } {
   const rows = splitRows(model);
   if (rows.faces.length === 0) throw nothingToWrite(model, 'glTF');
   const binary = new BufferBuilder(40 * rows.vertex.length + 4 * rows.corners.length);
   const origin = farOrigin(model.positions);
-  const attributes = writeAttributes(binary, model, rows, origin);
+  const place = placement(model, origin);
+  const plain = writeAttributes(binary, model, rows, origin);
+  const added = addition?.({ binary, vertex: rows.vertex, origin, placement: place });
+  const attributes = { ...plain, ...added?.attributes };
   const materials: { name: string }[] = [];
   const primitives: GltfPrimitive[] = [];
   for (const run of groupRuns(model)) {
@@ -44,12 +63,15 @@ export function buildGltf(model: Model): { json: GltfJson; binary: Uint8Array } 
     primitives.push(primitive);
   }
   const name = model.name.replace(/\.[^.]*$/, '');
+  const node: GltfNode = { name, mesh: 0, ...place };
+  const { nodes, shown } = added?.nodes(node) ?? { nodes: [node], shown: [0] };
   const json: GltfJson = {
     asset: { version: '2.0', generator: 'Lissom' },
     scene: 0,
-    scenes: [{ nodes: [0] }],
-    nodes: [{ name, mesh: 0, ...placement(model, origin) }],
+    scenes: [{ nodes: shown }],
+    nodes,
     meshes: [{ name, primitives }],
+    ...added?.more,
     ...(materials.length > 0 && { materials }),
     accessors: binary.accessors,
     bufferViews: binary.views,
@@ -79,14 +101,20 @@ export class BufferBuilder {
   add(
     count: number,
     accessor: Pick<GltfAccessor, 'componentType' | 'type' | 'normalized' | 'min' | 'max'>,
-    target: number,
+    target?: number,
     byteStride?: number,
   ): number {
     const last = this.views.at(-1);
     const byteOffset = last ? align4(last.byteOffset! + last.byteLength) : 0;
     const byteLength = this.out.length - byteOffset;
     this.out.align(4);
-    this.views.push({ buffer: 0, byteOffset, byteLength, ...(byteStride && { byteStride }), target });
+    this.views.push({
+      buffer: 0,
+      byteOffset,
+      byteLength,
+      ...(byteStride && { byteStride }),
+      ...(target && { target }),
+    });
     this.accessors.push({ bufferView: this.views.length - 1, count, ...accessor });
     return this.accessors.length - 1;
   }
@@ -226,7 +254,9 @@ export function farOrigin(positions: Float64Array): number[] {
   return Math.hypot(...middle) > 4 * size ? middle : [0, 0, 0];
 }
 
-function placement({ unitMetres = 1, upAxis = 'y' }: Model, origin: readonly number[]) {
+export type Placement = Pick<GltfNode, 'translation' | 'rotation' | 'scale'>;
+
+function placement({ unitMetres = 1, upAxis = 'y' }: Model, origin: readonly number[]): Placement {
   const [x, y, z] = origin.map((c) => c * unitMetres) as [number, number, number];
   const translation = upAxis === 'z' ? [x, z, -y] : [x, y, z];
   return {

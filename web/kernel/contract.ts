@@ -1,11 +1,14 @@
 // The bridge: what can be asked of the kernel, of what shape, and how it can fail. The one file both
 // sides import; client methods, messages and handlers are all derived from `Kernel`.
 
+import type { ContourKernel } from './contract/contour';
+import type { CurveKernel } from './contract/curve';
 import type { DeformKernel } from './contract/deform';
 import type { HairKernel } from './contract/hair';
 import type { IsolineKernel } from './contract/isoline';
 import type { MergeKernel } from './contract/merge';
 import type { KernelId, ModelKernel } from './contract/model';
+import type { SketchKernel } from './contract/sketch';
 import type { TransferKernel } from './contract/transfer';
 
 export type { KernelId };
@@ -17,7 +20,10 @@ export interface Kernel
     IsolineKernel,
     MergeKernel,
     HairKernel,
-    TransferKernel {}
+    TransferKernel,
+    CurveKernel,
+    SketchKernel,
+    ContourKernel {}
 
 export type Method = keyof Kernel;
 export type Args<M extends Method> = Parameters<Kernel[M]>[0];

@@ -5,6 +5,8 @@ import { type Recipe, type StepType, stepRow } from './recipe';
 import { namesOf, producedNames, producerOf, referencesOf } from './references';
 
 const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
+/** Those that can hold a skin. */
+const SKIN_EXTENSIONS: readonly string[] = ['glb', 'gltf'];
 const STRAND_EXTENSIONS: readonly string[] = ['abc', 'usda', 'hair', 'glb', 'obj', 'ply'];
 
 /** Formats that a step's output can be written in, by its file's extension. */
@@ -39,7 +41,7 @@ export function crossCheck(recipe: Recipe): void {
 
 function checkOutputs(recipe: Recipe, made: ReadonlySet<string>): void {
   const files = new Set<string>();
-  for (const [at, { step: name, file }] of recipe.outputs.entries()) {
+  for (const [at, { step: name, file, skin }] of recipe.outputs.entries()) {
     const wrong = (field: string, message: string) => recipeError(pathText(['outputs', at, field]), message);
     const step = producerOf(recipe, name);
     if (!step)
@@ -53,6 +55,10 @@ function checkOutputs(recipe: Recipe, made: ReadonlySet<string>): void {
         'file',
         `cannot write ${quoted(file)}; end its name in ${known.map((extension) => `.${extension}`).join(', ')}.`,
       );
+    if (skin && !stepRow(step.type).skin)
+      throw wrong('skin', `a ${step.type} step has no joints; leave it out.`);
+    if (skin && !SKIN_EXTENSIONS.includes(extensionOf(file)))
+      throw wrong('skin', `${quoted(file)} cannot hold a skin; end its name in .glb or .gltf.`);
     if (files.has(file)) throw wrong('file', `${quoted(file)} is written twice; choose another name.`);
     files.add(file);
   }

@@ -5,6 +5,7 @@ import * as v from 'valibot';
 import { MAX_STEPS } from './limits';
 import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
 import { type StepRow, stepType } from './step-row';
+import { curvesStep } from './steps/curves';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
 import { mergeStep } from './steps/merge';
@@ -19,6 +20,7 @@ export const STEP_TYPES = {
   merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
   transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
+  curves: stepType(curvesStep, { main: 'model', writes: 'mesh', skin: true, workspace: 'curves' }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */
@@ -42,6 +44,8 @@ const output = v.strictObject({
     v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders'),
     v.maxBytes(255, 'a file name of at most 255 bytes'),
   ),
+  /** The model at rest with joints that hold the pose, instead of the posed model; what is kept to be played is played. */
+  skin: v.optional(v.boolean()),
 });
 
 const stepSchema = v.variant(
@@ -63,6 +67,7 @@ export type StepType = keyof typeof STEP_TYPES;
 export type WorkspaceId = Exclude<(typeof STEP_TYPES)[StepType]['workspace'], null>;
 export type StepOf<T extends StepType> = Extract<Step, { readonly type: T }>;
 export type ModelRef = v.InferOutput<typeof modelRef>;
+export type { CurvesStep } from './steps/curves';
 export type { DeformHandle, DeformStep } from './steps/deform';
 export type { HairStep } from './steps/hair';
 export type { MergeStep } from './steps/merge';

@@ -14,6 +14,8 @@ type Facts<S> = {
   readonly main: Named<S>;
   /** Where the type is edited; `null`: nowhere of its own. */
   readonly workspace: string | null;
+  /** Whether what it does can be told by joints: an output may ask for a skin. */
+  readonly skin?: true;
 } & (
   | { readonly writes: 'mesh' | 'strands' }
   /** `outputs` are the names of what it leaves: `<id>/<name>` wherever a step or an output names a model. */
@@ -31,6 +33,7 @@ export interface StepRow<S> {
   readonly schema: StepSchema;
   readonly main: string;
   readonly workspace: string | null;
+  readonly skin?: true;
   readonly writes: 'mesh' | 'strands' | 'meshes';
   outputs?(step: S): readonly string[];
 }

@@ -27,6 +27,7 @@ const faces = {
   hair: () => import('./hair/face'),
   merge: () => import('./merge/face'),
   transfer: () => import('./transfer/face'),
+  curves: () => import('./curves/face'),
 } satisfies Readonly<Record<WorkspaceId, () => Promise<{ readonly face: Face }>>>;
 
 const loaded = signal<Partial<Readonly<Record<WorkspaceId, Face>>>>({});

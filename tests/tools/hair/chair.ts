@@ -14,7 +14,7 @@ import {
   viewpointOf,
 } from '../../../web/tools/stroke/support';
 import type { Tool } from '../../../web/tools/tool';
-import type { CurveHit } from '../../../web/view/overlays/types';
+import type { ControlHit } from '../../../web/view/overlays/types';
 import type { CameraState, Hit, PointerSample, Vec3 } from '../../../web/view/types';
 
 export const RADIUS = 100;
@@ -65,7 +65,7 @@ export class Chair implements HairHost {
     };
   }
 
-  readonly curves: HairHost['curves'] = { pickCurve: (x, y) => this.#pickCurve(x, y) };
+  readonly curves: HairHost['curves'] = { pickLine: (x, y) => this.#pickLine(x, y) };
 
   scene(): HairScene {
     const { step, selected, mirror } = this;
@@ -131,8 +131,8 @@ export class Chair implements HairHost {
     return true;
   }
 
-  #pickCurve(x: number, y: number): CurveHit | null {
-    let best: CurveHit | null = null;
+  #pickLine(x: number, y: number): ControlHit | null {
+    let best: ControlHit | null = null;
     let least = 6;
     for (const { id, points } of curvesOf(this.step, this.selected)) {
       const found = nearestOn(onScreen(this.view, points), [x, y, 0]);

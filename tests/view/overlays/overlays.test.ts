@@ -4,7 +4,7 @@ import { BufferGeometry, InstancedBufferGeometry, ShaderMaterial } from 'three';
 import { expect, test } from 'vitest';
 import type { Layer } from '../../../web/view/layer';
 import { BOX } from '../../../web/view/overlays/box';
-import { CURVES } from '../../../web/view/overlays/curves';
+import { CONTROL_LINES } from '../../../web/view/overlays/control-lines';
 import { FIELD } from '../../../web/view/overlays/field';
 import { LOOPS } from '../../../web/view/overlays/loops';
 import { MARKERS } from '../../../web/view/overlays/markers';
@@ -15,7 +15,7 @@ import { heldBy, leftBy, made } from '../card';
 
 const markers = made(MARKERS);
 const loops = made(LOOPS);
-const curves = made(CURVES);
+const lines = made(CONTROL_LINES);
 const field = made(FIELD);
 const box = made(BOX);
 const support = made(SUPPORT);
@@ -33,10 +33,10 @@ const OVERLAYS: [name: string, layer: Layer, show: () => void][] = [
     () => loops.setLoops([{ points: Float64Array.of(1, 2, 3, 4, 5, 6, 7, 8, 9), tint: 'red', strong: true }]),
   ],
   [
-    'curves',
-    curves,
+    'control lines',
+    lines,
     () =>
-      curves.setCurves([
+      lines.setLines([
         {
           id: 'c',
           points: [

@@ -2,7 +2,7 @@
 
 import { HAIR } from '../../view/hair/hair-layer';
 import { BOX } from '../../view/overlays/box';
-import { CURVES } from '../../view/overlays/curves';
+import { CONTROL_LINES } from '../../view/overlays/control-lines';
 import { FIELD } from '../../view/overlays/field';
 import { SUPPORT } from '../../view/overlays/support';
 import type { ViewportPort } from '../../view/types';
@@ -13,7 +13,7 @@ export type HairLayers = ReturnType<typeof layersIn>['ports'];
 export function layersIn(viewport: ViewportPort) {
   const mounted = {
     hair: viewport.mount(HAIR),
-    curves: viewport.mount(CURVES),
+    curves: viewport.mount(CONTROL_LINES),
     field: viewport.mount(FIELD),
     box: viewport.mount(BOX),
     support: viewport.mount(SUPPORT),

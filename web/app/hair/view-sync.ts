@@ -58,7 +58,7 @@ export function mountHair(viewport: ViewportPort, parts: Parts, own: HairState, 
         stroke && stroke.line.length > 1
           ? [{ id: 'stroke', points: stroke.line, ...CURVE_LOOKS[stroke.kind], selected: false }]
           : [];
-      curves.setCurves([...shown, ...drawn]);
+      curves.setLines([...shown, ...drawn]);
     }),
     effect(() => {
       const surface = host.surface.value;

@@ -1,11 +1,14 @@
 import type { KernelModule } from '../../../wasm/bindings/kernel';
 import type { Handlers } from '../serve';
+import { contourHandlers } from './contour';
+import { curveHandlers } from './curve';
 import { deformHandlers } from './deform';
 import { hairHandlers } from './hair';
 import { isolineHandlers } from './isoline';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
+import { sketchHandlers } from './sketch';
 import { transferHandlers } from './transfer';
 
 /** One line per wing: the registry of this floor. */
@@ -18,5 +21,8 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),
+    ...curveHandlers(wasm, registry),
+    ...sketchHandlers(wasm, registry),
+    ...contourHandlers(wasm, registry),
   };
 }

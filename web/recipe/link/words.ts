@@ -27,5 +27,9 @@ export const WORDS: readonly string[] =
     // more built-in models
     'wings key pipes block ' +
     // more of transfer
-    'strength keepStretch'
+    'strength keepStretch ' +
+    // more of curves
+    'base anchor child parent at poses time start end blending encoding guard ownership geodesic gaussian kernel slabs symmetric thesis none ' +
+    // more of outputs
+    'skin'
   ).split(' ');

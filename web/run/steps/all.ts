@@ -1,5 +1,6 @@
 import type { Step, StepOf, StepType } from '../../recipe/recipe';
 import type { Capacities } from '../session';
+import { curvesRunner } from './curves';
 import { deformRunner } from './deform';
 import { hairRunner } from './hair';
 import { mergeRunner } from './merge';
@@ -12,6 +13,7 @@ const runners = {
   merge: mergeRunner,
   hair: hairRunner,
   transfer: transferRunner,
+  curves: curvesRunner,
 } satisfies { readonly [T in StepType]: StepRunner<StepOf<T>> };
 
 export const runnerOf = (step: Step): StepRunner<Step> => runners[step.type] as StepRunner<Step>;

@@ -1,5 +1,5 @@
 import type { HairStep } from '../../recipe/recipe';
-import type { CurvesPort } from '../../view/overlays/types';
+import type { ControlLinesPort } from '../../view/overlays/types';
 import type { ViewportPort } from '../../view/types';
 import type { Line } from '../stroke/polyline';
 import type { SupportSurface } from '../stroke/support';
@@ -48,7 +48,7 @@ export type HairToolView = Pick<
 /** What hair tools need of the app: one scene in, edits out. Tests use doubles. */
 export interface HairHost {
   readonly view: HairToolView;
-  readonly curves: Pick<CurvesPort, 'pickCurve'>;
+  readonly curves: Pick<ControlLinesPort, 'pickLine'>;
   /** `null` while no head is open. */
   scene(): HairScene | null;
   /** Shows an edit under way; nothing is history yet. */

@@ -14,7 +14,7 @@ abstract class CurveTool extends GestureTool<HairScene, HairHost> {
   }
 
   protected override click({ x, y }: PointerSample): boolean {
-    const hit = this.host.curves.pickCurve(x, y);
+    const hit = this.host.curves.pickLine(x, y);
     if (hit) this.host.select(readCurveId(hit.id).index);
     return hit !== null;
   }
@@ -23,7 +23,7 @@ abstract class CurveTool extends GestureTool<HairScene, HairHost> {
 /** A click selects a curve; of the selected one, control points can be dragged. Elsewhere the camera turns. */
 export class HairSelectTool extends CurveTool {
   protected begin(scene: HairScene, sample: PointerSample): Gesture | null {
-    const hit = this.host.curves.pickCurve(sample.x, sample.y);
+    const hit = this.host.curves.pickLine(sample.x, sample.y);
     const curve = hit && readCurveId(hit.id);
     if (!hit || !curve || curve.index !== scene.selected || hit.point === null) return null;
     return new PointDrag(this.host, scene, { ...curve, point: hit.point }, sample);
@@ -45,7 +45,7 @@ export class HintTool extends CurveTool {
       return sample.hit ? new TiltGesture(this.host, scene, selected, sample) : null;
     const hint = new HintGesture(this.host, scene, selected, support, sample);
     const click = () => {
-      const hit = this.host.curves.pickCurve(sample.x, sample.y);
+      const hit = this.host.curves.pickLine(sample.x, sample.y);
       this.host.select(hit ? readCurveId(hit.id).index : null);
     };
     return { move: (samples) => hint.move(samples), finish: (last) => hint.finish(last, click) };

@@ -1,7 +1,7 @@
 // The primitives of a hair step: which there are, how they are numbered, what curves they are made of.
 
 import type { HairStep } from '../../recipe/recipe';
-import type { Curve } from '../../view/overlays/types';
+import type { ControlLine } from '../../view/overlays/types';
 import type { Vec3 } from '../../view/types';
 
 export type Point = [number, number, number];
@@ -135,7 +135,7 @@ export function readCurveId(id: string): { readonly index: number; readonly part
 /** What a curve is drawn as: a part of a style, or a hint to one. */
 export type CurveKind = 'stream' | 'parting' | 'spine' | 'section' | 'profile' | 'hint';
 
-export const CURVE_LOOKS: Readonly<Record<CurveKind, Pick<Curve, 'tint' | 'plain'>>> = {
+export const CURVE_LOOKS: Readonly<Record<CurveKind, Pick<ControlLine, 'tint' | 'plain'>>> = {
   stream: { tint: 'blue' },
   parting: { tint: 'yellow' },
   spine: { tint: 'violet' },
@@ -145,7 +145,7 @@ export const CURVE_LOOKS: Readonly<Record<CurveKind, Pick<Curve, 'tint' | 'plain
 };
 
 /** What the view draws of a style. A section is drawn as the ring it is. */
-export function curvesOf(style: Style, selected: number | null): Curve[] {
+export function curvesOf(style: Style, selected: number | null): ControlLine[] {
   return primitivesOf(style).flatMap((primitive, index) =>
     primitive.item.hidden
       ? []

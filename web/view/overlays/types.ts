@@ -43,17 +43,23 @@ export interface LevelsPort {
   setLevels(lines: LevelLines | null): void;
 }
 
-/** A curve with its control points. */
-export interface Curve {
+/** A line with its control points. */
+export interface ControlLine {
   readonly id: string;
   readonly points: readonly Vec3[];
   readonly tint: 'blue' | 'green' | 'yellow' | 'violet' | 'cyan' | 'coral';
   readonly selected: boolean;
   /** A mere line: its points are not shown and it cannot be picked. */
   readonly plain?: boolean;
+  /** Drawn in place of straight pieces: from each control point to the next as many points. */
+  readonly smooth?: readonly Vec3[];
+  /** The point that is taken up; none where left out. */
+  readonly chosen?: number | undefined;
+  /** Points where it hangs on another line. */
+  readonly joints?: readonly number[];
 }
 
-export interface CurveHit {
+export interface ControlHit {
   readonly id: string;
   /** The control point under the pointer; null on the line between two. */
   readonly point: number | null;
@@ -61,10 +67,10 @@ export interface CurveHit {
   readonly segment: number;
 }
 
-export interface CurvesPort {
-  setCurves(curves: readonly Curve[]): void;
+export interface ControlLinesPort {
+  setLines(lines: readonly ControlLine[]): void;
   /** CSS pixels from the viewport's top left corner; control points win over lines. */
-  pickCurve(x: number, y: number): CurveHit | null;
+  pickLine(x: number, y: number): ControlHit | null;
 }
 
 /** Short arrows: 3 numbers each, same length. */

@@ -1,0 +1,39 @@
+#include "lissom/curve/profile.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+using namespace lissom;
+
+TEST_CASE("a profile passes through its values, never past them, and is smooth") {
+    const std::vector<double> places{0, 1, 1.2, 3, 4}, values{0, 90, 90, -20, 10};
+    const MonotoneProfile profile(places, values);
+    for (std::size_t i = 0; i < places.size(); ++i) CHECK(profile.at(places[i]) == doctest::Approx(values[i]));
+    for (std::size_t i = 0; i + 1 < places.size(); ++i)
+        for (double u = 0; u <= 1; u += 0.01) {
+            const double y = profile.at(places[i] + u * (places[i + 1] - places[i]));
+            CHECK(y >= std::min(values[i], values[i + 1]) - 1e-12);
+            CHECK(y <= std::max(values[i], values[i + 1]) + 1e-12);
+        }
+    for (const double place : {1.0, 1.2, 3.0}) { // one slope on either side
+        const double h = 1e-6, left = (profile.at(place) - profile.at(place - h)) / h, right = (profile.at(place + h) - profile.at(place)) / h;
+        CHECK(left == doctest::Approx(right).epsilon(1e-3));
+    }
+    CHECK(profile.at(-5) == 0);
+    CHECK(profile.at(50) == 10);
+}
+
+TEST_CASE("even steps give a line, equal values a level") {
+    const MonotoneProfile line({0, 1, 2, 3}, {0, 10, 20, 30}), level({0, 1}, {7, 7}), one({2}, {5});
+    for (double x = 0; x <= 3; x += 0.1) CHECK(line.at(x) == doctest::Approx(10 * x));
+    CHECK(level.at(0.3) == 7);
+    CHECK(one.at(9) == 5);
+}
+
+TEST_CASE("an amount fades over the neighbours") {
+    const std::vector<double> none(5, 0.0);
+    CHECK(spread(none, 2, 12, 0) == std::vector<double>{0, 0, 12, 0, 0});
+    CHECK(spread(none, 2, 12, 1) == std::vector<double>{0, 6, 12, 6, 0});
+    CHECK(spread(none, 0, 12, 2) == std::vector<double>{12, 8, 4, 0, 0});
+}

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace lissom {
+
+/// A value along a curve, given at its control points: the monotone cubic through them (Fritsch and Carlson 1980). It never leaves the
+/// range of neighbouring values, so a twist does not swing past what was asked for. Linear interpolation, as Blanco 5.3 has it, leaves kinks
+/// in a twisted limb; the cubic's slope is up to 1.5 times as steep in between.
+class MonotoneProfile {
+public:
+    /// @param places  ascending; equal neighbours are a step
+    /// @param values  as many
+    MonotoneProfile(std::vector<double> places, std::vector<double> values);
+    /// Constant beyond the ends.
+    [[nodiscard]] double at(double place) const;
+
+private:
+    std::vector<double> places_, values_, slopes_;
+};
+
+/// Values of control points after `amount` was added to one of them, fading over the neighbours on either side: the area of
+/// influence of Blanco 5.3. `range` 0 is the control point alone, 1 gives half to the next on each side, and so on, evenly.
+[[nodiscard]] std::vector<double> spread(std::span<const double> values, int control, double amount, int range);
+
+} // namespace lissom

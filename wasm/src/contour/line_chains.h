@@ -1,0 +1,34 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include <array>
+#include <vector>
+
+namespace lissom {
+
+/// A piece of a line within one triangle.
+struct LinePiece {
+    std::array<int, 2> edges;                ///< numbers of the mesh edges it ends on; −1: it ends within the triangle
+    std::array<Eigen::Vector3d, 2> ends;     ///< working space
+    std::array<double, 2> values{};          ///< D at both ends
+};
+
+/// Pieces joined end to end.
+struct LineChain {
+    std::vector<Eigen::Vector3d> points;
+    std::vector<double> values;
+    bool closed = false; ///< the first point follows the last
+
+    [[nodiscard]] double length() const;
+};
+
+/// Joins pieces that end on the same edge; at an edge where more than two meet, two of the same triangle pair in the order given.
+/// @returns in the order of each chain's first piece
+[[nodiscard]] std::vector<LineChain> chained(const std::vector<LinePiece>& pieces);
+
+/// Splits a chain where its direction over `bend` before and after a point differs by more than `degrees`, at the sharpest such points. A
+/// closed chain with one corner is opened there.
+[[nodiscard]] std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend);
+
+} // namespace lissom

@@ -1,0 +1,345 @@
+#include "lissom/curve/pose.h"
+
+#include "pose_state.h"
+
+#include "lissom/mesh/errors.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+namespace lissom {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using Eigen::Vector4d;
+
+namespace {
+
+constexpr int k_rows = EncodedCurve::k_rows;
+
+/// A row and how far it is to the next.
+struct Between {
+    int row;
+    double share;
+};
+Between between(float row) {
+    const int i = std::min(static_cast<int>(row), k_rows - 2);
+    return {i, static_cast<double>(row) - i};
+}
+
+/// The affine rows of a curve laid out for the loop over vertices: four columns of a map (three numbers and a pad), then those of what the
+/// next row has more.
+using Column = Vector4d;
+std::vector<Column, Eigen::aligned_allocator<Column>> columns_of(const CurveRows& rows, const Vector3d& centre) {
+    std::vector<Column, Eigen::aligned_allocator<Column>> result(8 * k_rows, Column::Zero());
+    for (int i = 0; i < k_rows; ++i)
+        for (int k = 0; k < 4; ++k) {
+            result[8 * i + k].head<3>() = rows.affine[i].col(k);
+            if (k == 3) result[8 * i + k].head<3>() += centre;
+            if (i + 1 < k_rows) result[8 * i + 4 + k].head<3>() = rows.affine[i + 1].col(k) - rows.affine[i].col(k);
+        }
+    return result;
+}
+
+void pose_singles(const SingleVertices& singles, const CurveRows& rows, const Vector3d& centre, const Points& rest, Points& out) {
+    const auto columns = columns_of(rows, centre);
+    const int count = static_cast<int>(singles.vertices.size());
+    for (int i = 0; i < count; ++i) {
+        const int v = singles.vertices[i];
+        const auto [row, share] = between(singles.rows[i]);
+        const Column* at = columns.data() + 8 * row;
+        const double x = rest(v, 0), y = rest(v, 1), z = rest(v, 2);
+        const Column sum = (at[0] + share * at[4]) * x + (at[1] + share * at[5]) * y + (at[2] + share * at[6]) * z + (at[3] + share * at[7]);
+        out(v, 0) = sum[0];
+        out(v, 1) = sum[1];
+        out(v, 2) = sum[2];
+    }
+}
+
+Vector3d moved(const Matrix34& map, const Vector3d& x) { return map.leftCols<3>() * x + map.col(3); }
+
+/// The blend of a vertex's motions, without the maps before them, and the vertex after those.
+struct Blend {
+    DualQuaternion motion;
+    Vector3d point;
+};
+template <class Rows>
+Blend blend_of(const BlendedVertices& blended, int i, const Rows& rows, const std::vector<bool>& plain, const Vector3d& x) {
+    Blend result;
+    result.motion.real.setZero();
+    result.point.setZero();
+    double left = 1;
+    for (int k = blended.offsets[i]; k < blended.offsets[i + 1]; ++k) {
+        const CurveRows& of = rows[blended.curves[k]];
+        const auto [row, share] = between(blended.rows[k]);
+        const double weight = blended.weights[k];
+        DualQuaternion at;
+        at.real = (1 - share) * of.rigid[row].real + share * of.rigid[row + 1].real;
+        at.dual = (1 - share) * of.rigid[row].dual + share * of.rigid[row + 1].dual;
+        result.motion.add(weight, at);
+        if (plain[blended.curves[k]]) result.point += weight * x;
+        else result.point += weight * ((1 - share) * moved(of.before[row], x) + share * moved(of.before[row + 1], x));
+        left -= weight;
+    }
+    if (left > 1e-12) {
+        result.motion.add(left, DualQuaternion());
+        result.point += left * x;
+    }
+    return result;
+}
+
+/// Whether nothing is stretched or scaled.
+bool is_plain(const CurveRows& rows) {
+    return std::all_of(rows.before.begin(), rows.before.end(), [](const Matrix34& map) { return map.leftCols<3>().isIdentity(0) && map.col(3).isZero(0); });
+}
+
+} // namespace
+
+CurveSession::State::Posed CurveSession::State::posed(std::span<const CurvePosture> given) const {
+    const int count = static_cast<int>(specs.size());
+    if (static_cast<int>(given.size()) != count)
+        throw InvalidInput("curve-count", "There are " + std::to_string(count) + " curves, but " + std::to_string(given.size()) + " postures.");
+    Posed result;
+    result.postures.assign(given.begin(), given.end());
+    result.rows.resize(count);
+    Matrix34 identity = Matrix34::Zero();
+    identity.leftCols<3>().setIdentity();
+    result.from_parent.assign(count, identity);
+    for (const int c : order.order) {
+        CurvePosture& posture = result.postures[c];
+        if (posture.points.rows() == 0) posture.points = specs[c].rest;
+        posture.points.rowwise() -= centre.transpose();
+        if (const int l = order.link[c]; l >= 0) {
+            const CurveLink& link = links[l];
+            const Vector3d root = curves[c].curve().point(curves[c].options().anchor == CurveEnd::start ? 0.0 : 1.0);
+            const Matrix34 map = curves[link.parent].motion_at(result.rows[link.parent], result.postures[link.parent], link.at, root);
+            result.from_parent[c] = map;
+            posture.points = ((posture.points * map.leftCols<3>().transpose()).rowwise() + map.col(3).transpose()).eval();
+            posture.base = Eigen::Quaterniond(map.leftCols<3>()) * posture.base;
+        }
+        if (is_contour(c)) {
+            result.rows[c] = pull(c, posture, result.from_parent[c]);
+            continue;
+        }
+        result.rows[c] = curves[c].pose(posture, supports[c], options.encoding == CurveEncoding::kernel ? options.guard : CurveGuard::none);
+        result.strain.bend = std::max(result.strain.bend, result.rows[c].bend);
+        result.strain.tilt = std::max(result.strain.tilt, result.rows[c].tilt);
+    }
+    return result;
+}
+
+CurveRows CurveSession::State::pull(int c, const CurvePosture& posture, const Matrix34& from_parent) const {
+    CurveRows rows;
+    const SplineCurve moved = curves[c].posed_curve(posture);
+    const SplineCurve& drawn = curves[c].curve();
+    Matrix34 identity = Matrix34::Zero();
+    identity.leftCols<3>().setIdentity();
+    const int fine = (k_rows - 1) * EncodedCurve::k_finer + 1;
+    for (int j = 0; j < fine; ++j) { // where links are fixed to the line
+        const double t = drawn.parameter(drawn.length() * j / (fine - 1));
+        rows.fine.push_back({moved.point(t), from_parent.leftCols<3>() * curves[c].frame_at(static_cast<double>(j) / EncodedCurve::k_finer).axes});
+        if (j % EncodedCurve::k_finer != 0) continue;
+        const Vector3d place = drawn.point(t);
+        rows.rigid.emplace_back(from_parent.leftCols<3>(), moved.point(t) - from_parent.leftCols<3>() * place);
+        rows.before.push_back(identity);
+        rows.affine.push_back(rows.rigid.back().matrix());
+    }
+    return rows;
+}
+
+int CurveSession::curve_count() const { return static_cast<int>(state_->specs.size()); }
+
+PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
+    const State& s = *state_;
+    const State::Posed posed = s.posed(postures);
+    PosedPoints result{s.given(), posed.strain};
+    Points& out = result.positions;
+    const int count = curve_count();
+    if (s.options.encoding == CurveEncoding::slabs) {
+        std::vector<SlabTable::Planes> planes;
+        for (int c = 0; c < count; ++c) planes.push_back(s.slabs[c].posed(s.curves[c], posed.postures[c]));
+        for (int c = 0; c < count; ++c)
+            for (std::size_t i = 0; i < s.singles[c].vertices.size(); ++i)
+                out.row(s.singles[c].vertices[i]) = (SlabTable::position(planes[c], s.single_places[c][i]) + s.centre).transpose();
+        for (std::size_t i = 0; i < s.blended.vertices.size(); ++i) {
+            const int v = s.blended.vertices[i];
+            Vector3d sum = Vector3d::Zero();
+            double left = 1;
+            for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {
+                sum += s.blended.weights[k] * SlabTable::position(planes[s.blended.curves[k]], s.blended_places[k]);
+                left -= s.blended.weights[k];
+            }
+            out.row(v) = (sum + left * s.rest.row(v).transpose() + s.centre).transpose();
+        }
+        return result;
+    }
+    for (int c = 0; c < count; ++c) pose_singles(s.singles[c], posed.rows[c], s.centre, s.rest, out);
+    std::vector<bool> plain;
+    for (const CurveRows& rows : posed.rows) plain.push_back(is_plain(rows));
+    for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
+        const int v = s.blended.vertices[i];
+        const Blend blend = blend_of(s.blended, i, posed.rows, plain, s.rest.row(v).transpose());
+        // One quaternion turns the point, so that no matrix is made of it: x + 2 r × (r × x + w x), and the translation of the dual part.
+        const double norm = 1 / blend.motion.real.norm();
+        const Vector4d r = norm * blend.motion.real, d = norm * blend.motion.dual;
+        const Vector3d axis = r.head<3>();
+        const Vector3d turned = blend.point + 2 * axis.cross(axis.cross(blend.point) + r[3] * blend.point);
+        out.row(v) = (turned + 2 * (r[3] * d.head<3>() - d[3] * axis + axis.cross(d.head<3>())) + s.centre).transpose();
+    }
+    return result;
+}
+
+CurveStrain CurveSession::strain(std::span<const CurvePosture> postures) const { return state_->posed(postures).strain; }
+
+CurveTable CurveSession::table(std::span<const CurvePosture> postures) const {
+    const State::Posed posed = state_->posed(postures);
+    CurveTable result;
+    result.strain = posed.strain;
+    result.texels.reserve(static_cast<std::size_t>(curve_count()) * k_rows * CurveTable::k_texels * 4);
+    const auto put = [&](const auto& four) {
+        for (int k = 0; k < 4; ++k) result.texels.push_back(static_cast<float>(four[k]));
+    };
+    for (const CurveRows& rows : posed.rows)
+        for (int i = 0; i < k_rows; ++i) {
+            put(rows.rigid[i].real);
+            put(rows.rigid[i].dual);
+            for (int k = 0; k < 3; ++k) put(Vector4d(rows.before[i].row(k).transpose()));
+        }
+    return result;
+}
+
+CurveAttributes CurveSession::attributes() const {
+    const State& s = *state_;
+    const std::size_t n = static_cast<std::size_t>(s.rest.rows());
+    CurveAttributes result{std::vector<float>(4 * n, 0), std::vector<float>(4 * n, 0), s.centre, {}};
+    for (const EncodedCurve& curve : s.curves)
+        for (int i = 0; i < k_rows; ++i) {
+            const CurveFrame& frame = curve.frame_at(i);
+            const Vector3d origin = frame.origin + s.centre;
+            result.frames.insert(result.frames.end(), origin.data(), origin.data() + 3);
+            result.frames.insert(result.frames.end(), frame.axes.data(), frame.axes.data() + 9);
+        }
+    for (int c = 0; c < curve_count(); ++c)
+        for (std::size_t i = 0; i < s.singles[c].vertices.size(); ++i) {
+            const std::size_t v = static_cast<std::size_t>(s.singles[c].vertices[i]);
+            result.rows[4 * v] = static_cast<float>(c * k_rows) + s.singles[c].rows[i];
+            result.weights[4 * v] = 1;
+        }
+    for (std::size_t i = 0; i < s.blended.vertices.size(); ++i) {
+        const std::size_t v = static_cast<std::size_t>(s.blended.vertices[i]);
+        for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {
+            const std::size_t at = 4 * v + static_cast<std::size_t>(k - s.blended.offsets[i]);
+            result.rows[at] = static_cast<float>(s.blended.curves[k] * k_rows) + s.blended.rows[k];
+            result.weights[at] = static_cast<float>(s.blended.weights[k]);
+        }
+    }
+    return result;
+}
+
+Points CurveSession::normals(std::span<const CurvePosture> postures, const Points& normals) const {
+    const State& s = *state_;
+    const State::Posed posed = s.posed(postures);
+    Points result = normals;
+    std::vector<bool> plain;
+    for (const CurveRows& rows : posed.rows) plain.push_back(is_plain(rows));
+
+    // ∂s/∂x = u / (1 − κ·(x − C)) of the nearest point at rest; 0 beyond the ends.
+    const auto row_gradient = [&](int c, float row, const Vector3d& x) -> Vector3d {
+        if (row <= 0 || row >= k_rows - 1) return Vector3d::Zero();
+        const EncodedCurve& curve = s.curves[c];
+        const SplineCurve& spline = curve.curve();
+        const double t = spline.parameter(row / (k_rows - 1) * spline.length());
+        const Vector3d d = spline.derivative(t), dd = spline.second_derivative(t);
+        const double speed2 = d.squaredNorm(), slope = speed2 - (x - spline.point(t)).dot(dd); // of ½|C − x|² in t, twice
+        return d * (std::sqrt(speed2) / std::max(slope, 0.05 * speed2)) * ((k_rows - 1) / spline.length());
+    };
+    const auto turned = [&](int v, const Matrix3d& J) {
+        Matrix3d cof;
+        cof << J.col(1).cross(J.col(2)), J.col(2).cross(J.col(0)), J.col(0).cross(J.col(1));
+        const Vector3d n = cof * normals.row(v).transpose();
+        if (n.squaredNorm() > 0) result.row(v) = n.normalized().transpose();
+    };
+    for (int c = 0; c < curve_count(); ++c)
+        for (std::size_t i = 0; i < s.singles[c].vertices.size(); ++i) {
+            const int v = s.singles[c].vertices[i];
+            const float row = s.singles[c].rows[i];
+            const auto [at, share] = between(row);
+            const Vector3d x = s.rest.row(v).transpose();
+            const Matrix34 &here = posed.rows[c].affine[at], &next = posed.rows[c].affine[at + 1];
+            const Matrix34 A = (1 - share) * here + share * next;
+            turned(v, A.leftCols<3>() + (moved(next, x) - moved(here, x)) * row_gradient(c, row, x).transpose());
+        }
+    for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
+        const int v = s.blended.vertices[i];
+        const Vector3d x = s.rest.row(v).transpose();
+        const Blend blend = blend_of(s.blended, i, posed.rows, plain, x);
+        Matrix3d P = Matrix3d::Zero(), along = Matrix3d::Zero();
+        double left = 1;
+        for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {
+            const int c = s.blended.curves[k];
+            const auto [at, share] = between(s.blended.rows[k]);
+            const CurveRows& rows = posed.rows[c];
+            const double weight = s.blended.weights[k];
+            P += weight * ((1 - share) * rows.before[at].leftCols<3>() + share * rows.before[at + 1].leftCols<3>());
+            along += weight * (moved(rows.affine[at + 1], x) - moved(rows.affine[at], x)) * row_gradient(c, s.blended.rows[k], x).transpose();
+            left -= weight;
+        }
+        P += left * Matrix3d::Identity();
+        turned(v, blend.motion.matrix().leftCols<3>() * P + along);
+    }
+    return result;
+}
+
+double CurveSession::drag_limit(std::span<const CurvePosture> from, std::span<const CurvePosture> to) const {
+    const CurveStrain before = strain(from);
+    const bool guarded = state_->options.guard != CurveGuard::none && state_->options.encoding == CurveEncoding::kernel;
+    const auto fits = [&](double share) {
+        std::vector<CurvePosture> at(from.begin(), from.end());
+        for (std::size_t c = 0; c < at.size(); ++c) {
+            const Points& rest = state_->specs[c].rest; // stands for points that are not given
+            at[c].points = (1 - share) * (from[c].points.rows() ? from[c].points : rest) + share * (to[c].points.rows() ? to[c].points : rest);
+            at[c].base = from[c].base.slerp(share, to[c].base);
+            for (std::size_t k = 0; k < std::min(from[c].twist.size(), to[c].twist.size()); ++k) at[c].twist[k] = (1 - share) * from[c].twist[k] + share * to[c].twist[k];
+            for (std::size_t k = 0; k < std::min(from[c].scale.size(), to[c].scale.size()); ++k)
+                for (int a : {0, 1}) at[c].scale[k][a] = (1 - share) * from[c].scale[k][a] + share * to[c].scale[k][a];
+        }
+        const CurveStrain then = strain(at);
+        return guarded ? then.tilt <= std::max(k_tilt, before.tilt) : then.bend <= std::max(k_bend, before.bend);
+    };
+    if (fits(1)) return 1;
+    double low = 0, high = 1;
+    for (int i = 0; i < 12; ++i) (fits((low + high) / 2) ? low : high) = (low + high) / 2;
+    return low;
+}
+
+std::vector<Eigen::Affine3d> CurveSession::parent_motions(std::span<const CurvePosture> postures) const {
+    const State::Posed posed = state_->posed(postures);
+    std::vector<Eigen::Affine3d> result;
+    for (const Matrix34& map : posed.from_parent) { // in source space: c + A (x − c) + b
+        Eigen::Affine3d at = Eigen::Affine3d::Identity();
+        at.linear() = map.leftCols<3>();
+        at.translation() = map.col(3) + state_->centre - map.leftCols<3>() * state_->centre;
+        result.push_back(at);
+    }
+    return result;
+}
+
+std::vector<int> CurveSession::region(int curve) const { return state_->regions.at(curve); }
+CurveEnd CurveSession::anchor(int curve) const { return state_->curves.at(curve).options().anchor; }
+std::vector<double> CurveSession::radii(int curve) const { return state_->radii.at(curve); }
+const CurveSeconds& CurveSession::seconds() const { return state_->seconds; }
+const std::vector<Finding>& CurveSession::warnings() const { return state_->warnings; }
+
+double CurveSession::memory_bytes() const {
+    const State& s = *state_;
+    double sum = 24.0 * static_cast<double>(s.rest.rows());
+    for (const SingleVertices& single : s.singles) sum += 8.0 * static_cast<double>(single.vertices.size());
+    for (const auto& places : s.single_places) sum += static_cast<double>(places.size() * sizeof(SlabPlace));
+    sum += 8.0 * static_cast<double>(s.blended.vertices.size()) + 16.0 * static_cast<double>(s.blended.curves.size());
+    for (const std::vector<int>& region : s.regions) sum += 4.0 * static_cast<double>(region.size());
+    return sum + static_cast<double>(s.curves.size()) * EncodedCurve::k_rows * (EncodedCurve::k_finer * 112.0 + sizeof(RowSupport));
+}
+
+} // namespace lissom

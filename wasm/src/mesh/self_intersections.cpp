@@ -1,0 +1,186 @@
+#include "lissom/mesh/self_intersections.h"
+
+#include "lissom/mesh/orient.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace lissom {
+
+using Eigen::AlignedBox3d;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Corners = std::array<Vector3d, 3>;
+
+namespace {
+
+bool segments_meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
+    const int abc = orient2d(a, b, c), abd = orient2d(a, b, d), cda = orient2d(c, d, a), cdb = orient2d(c, d, b);
+    if (abc * abd < 0 && cda * cdb < 0) return true;
+    const auto within = [](const Vector2d& p, const Vector2d& q, const Vector2d& x) { // x on the line through p and q
+        return x.x() >= std::min(p.x(), q.x()) && x.x() <= std::max(p.x(), q.x()) && x.y() >= std::min(p.y(), q.y()) && x.y() <= std::max(p.y(), q.y());
+    };
+    return (abc == 0 && within(a, b, c)) || (abd == 0 && within(a, b, d)) || (cda == 0 && within(c, d, a)) || (cdb == 0 && within(c, d, b));
+}
+
+bool inside(const std::array<Vector2d, 3>& t, const Vector2d& p) {
+    const int s0 = orient2d(t[0], t[1], p), s1 = orient2d(t[1], t[2], p), s2 = orient2d(t[2], t[0], p);
+    return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+}
+
+/// Points of one plane, seen along the axis that a triangle in it faces most.
+template <std::size_t N>
+std::array<Vector2d, N> flattened(const std::array<Vector3d, N>& points, int axis) {
+    std::array<Vector2d, N> result;
+    for (std::size_t k = 0; k < N; ++k) result[k] = {points[k][(axis + 1) % 3], points[k][(axis + 2) % 3]};
+    return result;
+}
+
+int facing_axis(const Vector3d& normal) {
+    int axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    return axis;
+}
+
+bool meet_in_plane(const Corners& a, const Corners& b) {
+    const int axis = facing_axis((a[1] - a[0]).cross(a[2] - a[0]).cwiseAbs() + (b[1] - b[0]).cross(b[2] - b[0]).cwiseAbs());
+    const auto p = flattened(a, axis), q = flattened(b, axis);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            if (segments_meet(p[i], p[(i + 1) % 3], q[j], q[(j + 1) % 3])) return true;
+    return inside(p, q[0]) || inside(q, p[0]);
+}
+
+/// Of an edge that lies in the plane of a triangle.
+bool meets_in_plane(const std::array<Vector3d, 2>& edge, const Corners& b) {
+    const int axis = facing_axis((b[1] - b[0]).cross(b[2] - b[0]));
+    const auto p = flattened(edge, axis);
+    const auto q = flattened(b, axis);
+    for (int j = 0; j < 3; ++j)
+        if (segments_meet(p[0], p[1], q[j], q[(j + 1) % 3])) return true;
+    return inside(q, p[0]);
+}
+
+/// Whether an edge of `a`, on whose sides of b's plane its corners lie as given, meets `b`. Edges in the plane are left to meet_in_plane.
+bool edge_meets(const Corners& a, const std::array<int, 3>& side, const Corners& b) {
+    for (int i = 0; i < 3; ++i) {
+        const int j = (i + 1) % 3;
+        if (side[i] * side[j] > 0 || (side[i] == 0 && side[j] == 0)) continue;
+        const int s0 = orient3d(a[i], a[j], b[0], b[1]), s1 = orient3d(a[i], a[j], b[1], b[2]), s2 = orient3d(a[i], a[j], b[2], b[0]);
+        if ((s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0)) return true;
+    }
+    return false;
+}
+
+struct Node {
+    AlignedBox3d box;
+    int first, last;          ///< of the triangles in order, [first, last)
+    int left = -1, right = -1; ///< −1: a leaf
+};
+
+constexpr int k_leaf = 4;
+
+class Tree {
+public:
+    explicit Tree(const TriangleMesh& mesh) {
+        for (int t = 0; t < mesh.triangle_count(); ++t) {
+            const auto row = mesh.triangles.row(t);
+            boxes_.emplace_back();
+            for (const int v : row) boxes_.back().extend(mesh.points.row(v).transpose());
+            if (boxes_.back().min().allFinite() && boxes_.back().max().allFinite() && row[0] != row[1] && row[1] != row[2] && row[2] != row[0]) order_.push_back(t);
+        }
+        if (!order_.empty()) build(0, static_cast<int>(order_.size()));
+    }
+
+    /// Calls `meet` for every pair whose boxes overlap, once.
+    template <class Meet>
+    void pairs(Meet meet) const {
+        if (nodes_.empty()) return;
+        std::vector<std::pair<int, int>> open{{0, 0}};
+        while (!open.empty()) {
+            const auto [i, j] = open.back();
+            open.pop_back();
+            const Node &a = nodes_[i], &b = nodes_[j];
+            if (i != j && !a.box.intersects(b.box)) continue;
+            if (a.left < 0 && b.left < 0) {
+                for (int p = a.first; p < a.last; ++p)
+                    for (int q = i == j ? p + 1 : b.first; q < b.last; ++q)
+                        if (boxes_[order_[p]].intersects(boxes_[order_[q]])) meet(order_[p], order_[q]);
+            } else if (i == j) {
+                open.insert(open.end(), {{a.left, a.left}, {a.right, a.right}, {a.left, a.right}});
+            } else if (b.left < 0 || (a.left >= 0 && a.last - a.first >= b.last - b.first)) {
+                open.insert(open.end(), {{a.left, j}, {a.right, j}});
+            } else open.insert(open.end(), {{i, b.left}, {i, b.right}});
+        }
+    }
+
+private:
+    int build(int first, int last) {
+        const int here = static_cast<int>(nodes_.size());
+        nodes_.push_back({{}, first, last});
+        AlignedBox3d box;
+        for (int k = first; k < last; ++k) box.extend(boxes_[order_[k]]);
+        nodes_[here].box = box;
+        if (last - first <= k_leaf) return here;
+        int axis = 0;
+        box.sizes().maxCoeff(&axis);
+        const int middle = (first + last) / 2;
+        std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](int p, int q) {
+            const double a = boxes_[p].min()[axis] + boxes_[p].max()[axis], b = boxes_[q].min()[axis] + boxes_[q].max()[axis];
+            return a != b ? a < b : p < q;
+        });
+        const int left = build(first, middle), right = build(middle, last);
+        nodes_[here].left = left;
+        nodes_[here].right = right;
+        return here;
+    }
+
+    std::vector<AlignedBox3d> boxes_;
+    std::vector<int> order_;
+    std::vector<Node> nodes_;
+};
+
+} // namespace
+
+bool triangles_meet(const Corners& a, const Corners& b) {
+    std::array<int, 3> of_a, of_b;
+    for (int k = 0; k < 3; ++k) of_a[k] = orient3d(b[0], b[1], b[2], a[k]);
+    const auto alike = [](const std::array<int, 3>& side) { return side[0] == side[1] && side[1] == side[2]; };
+    if (alike(of_a) && of_a[0] != 0) return false;
+    for (int k = 0; k < 3; ++k) of_b[k] = orient3d(a[0], a[1], a[2], b[k]);
+    if (alike(of_b) && of_b[0] != 0) return false;
+    // A triangle without area has every other in its plane: only both together say that they share one.
+    if (alike(of_a) && alike(of_b)) return meet_in_plane(a, b);
+    if (edge_meets(a, of_a, b) || edge_meets(b, of_b, a)) return true;
+    // An edge of one that lies in the plane of the other.
+    const auto edge_in_plane = [](const Corners& t, const std::array<int, 3>& side, const Corners& other) {
+        for (int i = 0; i < 3; ++i)
+            if (side[i] == 0 && side[(i + 1) % 3] == 0 && meets_in_plane({t[i], t[(i + 1) % 3]}, other)) return true;
+        return false;
+    };
+    return edge_in_plane(a, of_a, b) || edge_in_plane(b, of_b, a);
+}
+
+SelfIntersections self_intersections(const TriangleMesh& mesh) {
+    SelfIntersections result;
+    const auto corners = [&](int t) {
+        Corners all;
+        for (int k = 0; k < 3; ++k) all[k] = mesh.points.row(mesh.triangles(t, k)).transpose();
+        return all;
+    };
+    Tree(mesh).pairs([&](int p, int q) {
+        for (const int a : mesh.triangles.row(p))
+            for (const int b : mesh.triangles.row(q))
+                if (a == b) return;
+        if (!triangles_meet(corners(p), corners(q))) return;
+        ++result.pairs;
+        result.triangles.insert(result.triangles.end(), {p, q});
+    });
+    std::sort(result.triangles.begin(), result.triangles.end());
+    result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
+    return result;
+}
+
+} // namespace lissom

@@ -1,0 +1,56 @@
+// What the curves workspace knows beside the document, as signals. No behaviour here.
+
+import { computed, type ReadonlySignal, signal } from '@preact/signals';
+import type { PreparedCurves } from '../../kernel/contract/curve';
+import { stepOf } from '../../recipe/edit';
+import type { CurvesStep } from '../../recipe/recipe';
+import type { CurveGizmo } from '../../tools/curves/gizmo-drag';
+import { type Grip, gripOf } from '../../tools/curves/items';
+import type { Mat4 } from '../../tools/geometry';
+import type { Line } from '../../tools/stroke/polyline';
+import type { State } from '../state';
+
+/** What came of the last pose. Times in milliseconds. */
+export interface CurvesFigures {
+  readonly prepare: number;
+  readonly pose: number;
+  /** Pairs of triangles that meet; `null` until they are counted. */
+  readonly crossings: { readonly before: number; readonly after: number } | null;
+}
+
+export class CurvesState {
+  /** The open step while it is one of curves. */
+  readonly step: ReadonlySignal<CurvesStep | undefined>;
+  readonly grip: ReadonlySignal<Grip | null>;
+  readonly gizmo = signal<CurveGizmo>('move');
+  /** What strokes become. */
+  readonly kind = signal<'skeleton' | 'surface'>('skeleton');
+  /** A drag moves the chain up to the point. */
+  readonly reach = signal(false);
+  /** Ids of curves that are not drawn. */
+  readonly hidden = signal<ReadonlySet<string>>(new Set());
+  /** The stroke under way, and the curve that it would become. */
+  readonly stroke = signal<Line | null>(null);
+  readonly foreseen = signal<Line | null>(null);
+  /** The drag under way has gone as far as the surface lets it. */
+  readonly stopped = signal(false);
+  /** What each curve takes over from its parent. */
+  readonly parents = signal<readonly Mat4[]>([]);
+  readonly prepared = signal<PreparedCurves | null>(null);
+  readonly figures = signal<CurvesFigures | null>(null);
+  /** Shows where the surface goes through itself. */
+  readonly showCrossings = signal(false);
+  /** Vertices of those faces. */
+  readonly crossing = signal<Uint32Array | null>(null);
+  /** The pose that is blended towards, and how far. */
+  readonly playing = signal(false);
+
+  constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
+    this.step = computed(() => stepOf(recipe.value, selection.value.step, 'curves'));
+    this.grip = computed(() => {
+      const grip = gripOf(selection.value.item);
+      const curve = grip && this.step.value?.curves[grip.curve];
+      return curve && (grip.point ?? 0) < curve.rest.length ? grip : null;
+    });
+  }
+}
