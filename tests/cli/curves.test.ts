@@ -47,11 +47,14 @@ test('a curve bends the model, and the report says what it took', async () => {
 test('at rest the file is the model', async () => {
   const { shell, status } = await curves({});
   expect(status).toBe(0);
-  for (const [k, x] of shell.model('out/o.ply').positions.entries()) expect(x).toBeCloseTo(MODEL.positions[k]!, 12);
+  for (const [k, x] of shell.model('out/o.ply').positions.entries())
+    expect(x).toBeCloseTo(MODEL.positions[k]!, 12);
 });
 
 test('poses that are kept change nothing of what is left', async () => {
-  const { shell, status } = await curves({ poses: [{ name: 'bow', time: 1, curves: [{ id: 'c', posed: BENT }] }] });
+  const { shell, status } = await curves({
+    poses: [{ name: 'bow', time: 1, curves: [{ id: 'c', posed: BENT }] }],
+  });
   expect(status).toBe(0);
   expect(shell.model('out/o.ply').positions[1]).toBeCloseTo(MODEL.positions[1]!, 12);
 });

@@ -59,8 +59,7 @@ test('at rest the model is itself, and a bend moves its far end', async () => {
 });
 
 test('the shader draws what the core computes', async () => {
-  const half = (from: number) =>
-    Float64Array.from([0, 4, 8].flatMap((x) => place(from + x)));
+  const half = (from: number) => Float64Array.from([0, 4, 8].flatMap((x) => place(from + x)));
   const { made } = await prepared(shape, [spec(half(0)), spec(half(8))], [{ child: 1, parent: 0, at: 1 }]);
   const bent = Float64Array.from([...place(0), ...place(4, 0.2), ...place(8, 1)]);
   const postures = [
@@ -81,7 +80,11 @@ function shaded(
   v: number,
 ): number[] {
   const x = [0, 1, 2].map((k) => shape.positions[3 * v + k]! - centre[k]!);
-  const [real, dual, point] = [[0, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0]];
+  const [real, dual, point] = [
+    [0, 0, 0, 0],
+    [0, 0, 0, 0],
+    [0, 0, 0],
+  ];
   for (let k = 0; k < 4; k++) {
     const weight = weights[4 * v + k]!;
     if (weight === 0) continue;
@@ -114,14 +117,19 @@ function shaded(
   const turned = cross(r, inner);
   const carried = cross(r, d);
   return [0, 1, 2].map(
-    (k) =>
-      point[k]! + 2 * turned[k]! + 2 * (r[3]! * d[k]! - d[3]! * r[k]! + carried[k]!) + centre[k]!,
+    (k) => point[k]! + 2 * turned[k]! + 2 * (r[3]! * d[k]! - d[3]! * r[k]! + carried[k]!) + centre[k]!,
   );
 }
 
 test('a drag that would fold the model is stopped on its way', async () => {
   const { made } = await prepared(shape);
-  const folded = Float64Array.from([...place(0), ...place(4), ...place(8), ...place(4, 0.2), ...place(0, 0.4)]);
+  const folded = Float64Array.from([
+    ...place(0),
+    ...place(4),
+    ...place(8),
+    ...place(4, 0.2),
+    ...place(0, 0.4),
+  ]);
   const from = [{ ...REST, points: axis() }];
   const stopped = await kernel.call('curveDragLimit', {
     curves: made.id,
@@ -130,7 +138,11 @@ test('a drag that would fold the model is stopped on its way', async () => {
   });
   expect(stopped.share).toBeGreaterThan(0);
   expect(stopped.share).toBeLessThan(1);
-  const free = await kernel.call('curveDragLimit', { curves: made.id, from, to: [{ ...REST, points: axis(1) }] });
+  const free = await kernel.call('curveDragLimit', {
+    curves: made.id,
+    from,
+    to: [{ ...REST, points: axis(1) }],
+  });
   expect(free.share).toBe(1);
 });
 
