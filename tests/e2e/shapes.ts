@@ -100,3 +100,36 @@ export const BAR_RECIPE = JSON.stringify({
   ],
   outputs: [],
 });
+
+/** A trunk that stands up, with an arm to either side: the closed surface of a heap of unit cubes, all faces quads. */
+export function limbsObj(): string {
+  const cells = new Set<string>();
+  const fill = (x0: number, x1: number, y0: number, y1: number) => {
+    for (let x = x0; x < x1; x++)
+      for (let y = y0; y < y1; y++) for (let z = 0; z < 3; z++) cells.add(`${x},${y},${z}`);
+  };
+  fill(0, 3, 0, 20);
+  fill(3, 15, 16, 19);
+  fill(-12, 0, 16, 19);
+  const index = new Map<string, number>();
+  const vertex = (at: readonly number[]): number => {
+    const key = at.join(' ');
+    if (!index.has(key)) index.set(key, index.size + 1);
+    return index.get(key)!;
+  };
+  const faces: string[] = [];
+  for (const cell of cells) {
+    const at = cell.split(',').map(Number);
+    for (const axis of [0, 1, 2])
+      for (const side of [0, 1]) {
+        const beside = at.map((x, k) => (k === axis ? x + 2 * side - 1 : x));
+        if (cells.has(beside.join())) continue;
+        const [u, v] = [(axis + 1) % 3, (axis + 2) % 3];
+        const corner = (du: number, dv: number): number =>
+          vertex(at.map((x, k) => x + (k === axis ? side : k === u ? du : k === v ? dv : 0)));
+        const ring = [corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)];
+        faces.push(`f ${(side === 0 ? ring.reverse() : ring).join(' ')}`);
+      }
+  }
+  return `${[...[...index.keys()].map((key) => `v ${key}`), ...faces].join('\n')}\n`;
+}

@@ -91,16 +91,18 @@ export class AppCurvesHost implements CurvesHost {
     const scene = this.scene();
     if (!scene) return;
     try {
-      const { kind, points, warnings } = await this.#sketched(stroke);
+      const { kind, points, radius, warnings } = await this.#sketched(stroke);
       // Undone or edited meanwhile: the stroke was meant for the step as it was.
       const { step } = this.edits;
       if (!step || step.id !== scene.step.id) return;
       const line = pointsOf(points);
-      const near = NEAR * this.view.pixelSize(line[0]!);
+      const still = NEAR * this.view.pixelSize(line[0]!);
+      // Inside a joint the ends of strokes move by up to the limb's radius.
+      const near = Math.max(still, radius[0] ?? 0, radius.at(-1) ?? 0);
       const { size } = scene;
       const drawn = addDrawn(step, kind, line, { name: t('curves.name'), near, size });
       const both =
-        this.parts.state.mirror.peek() && !isOnPlane(line, near)
+        this.parts.state.mirror.peek() && !isOnPlane(line, still)
           ? mirrorCurve(drawn.step, drawn.curve, t('curves.name'))
           : drawn.step;
       this.commit('draw', { step: both, selected: { curve: drawn.curve, point: null } });

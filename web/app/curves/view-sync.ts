@@ -58,7 +58,9 @@ export function mountCurves(
       const parents = own.parents.value;
       // While a gesture lasts the gizmo belongs to the hand that holds it.
       if (state.previewing.value) return;
-      const shown = grip && step && state.tool.value === 'pose-curves';
+      // A whole curve is dragged by its line; only a turn has to be taken hold of elsewhere.
+      const held = grip && (grip.point !== null || mode === 'turn');
+      const shown = held && step && state.tool.value === 'pose-curves';
       const anchors = step?.curves.map(({ anchor }, i) => anchor ?? prepared?.curves[i]?.anchor ?? 'start');
       const matrix = shown
         ? gizmoFrame({ step, selected: grip, parents, anchors: anchors!, size: 1 }, grip)

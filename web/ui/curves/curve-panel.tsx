@@ -1,3 +1,4 @@
+import { Fragment } from 'preact';
 import { t } from '../../app/i18n';
 import { linkOf } from '../../recipe/steps/curves-edits';
 import { Button } from '../controls/button';
@@ -48,7 +49,6 @@ export function CurvePanel() {
         <fieldset class="curve-segments" aria-label={t('ui.curves.rigid')}>
           {rest.slice(1).map((_, segment) => (
             <Button
-              // biome-ignore lint/suspicious/noArrayIndexKey: segments are known by their numbers
               key={segment}
               label={t('ui.curves.rigid.segment', { number: segment + 1 })}
               short={String(segment + 1)}
@@ -60,7 +60,7 @@ export function CurvePanel() {
       </div>
       <div class="curve-ends">
         {ENDS.map((end) => (
-          <>
+          <Fragment key={end}>
             <span>{t(`ui.curves.end.${end}`)}</span>
             <Button
               icon="minus"
@@ -74,7 +74,7 @@ export function CurvePanel() {
               label={t(`ui.curves.end.${end}.longer`)}
               onClick={() => curves.moveEnd(end, false)}
             />
-          </>
+          </Fragment>
         ))}
       </div>
       <div class="buttons">

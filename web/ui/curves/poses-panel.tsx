@@ -9,7 +9,7 @@ import { useCurves } from './use-curves';
 
 /** Poses that are kept: taken up by a click, blended by a slider, played one after the other. */
 export function PosesPanel() {
-  const { state: own, actions: curves } = useCurves();
+  const { state: own } = useCurves();
   const step = own.step.value;
   if (!step || step.curves.length === 0) return null;
   return (
@@ -27,55 +27,6 @@ export function PosesPanel() {
       {step.poses.length > 1 && !own.playing.value && <Blend />}
     </Section>
   );
-
-  function Row({ at }: { at: number }) {
-    const [renaming, setRenaming] = useState(false);
-    const pose = step!.poses[at]!;
-    const taken = standsIn(step!, pose);
-    return (
-      <li class={taken ? 'row selected' : 'row'}>
-        {renaming ? (
-          <input
-            class="text"
-            aria-label={t('ui.item.rename', { name: pose.name })}
-            value={pose.name}
-            maxLength={64}
-            ref={(input) => input?.focus()}
-            onBlur={(e) => {
-              setRenaming(false);
-              curves.renamePose(at, e.currentTarget.value);
-            }}
-            onKeyDown={(e) => {
-              if (e.key === 'Escape') e.currentTarget.value = pose.name;
-              if (e.key === 'Enter' || e.key === 'Escape') e.currentTarget.blur();
-            }}
-          />
-        ) : (
-          <button
-            type="button"
-            class="row-main"
-            aria-pressed={taken}
-            onClick={() => curves.takePose(at)}
-            onDblClick={() => setRenaming(true)}
-          >
-            <span>{pose.name}</span>
-          </button>
-        )}
-        <Button
-          icon="pencil"
-          iconOnly
-          label={t('ui.item.rename', { name: pose.name })}
-          onClick={() => setRenaming(true)}
-        />
-        <Button
-          icon="trash-2"
-          iconOnly
-          label={t('ui.item.remove', { name: pose.name })}
-          onClick={() => curves.removePose(at)}
-        />
-      </li>
-    );
-  }
 }
 
 /** What lies between two poses. */
@@ -116,5 +67,57 @@ function Blend() {
         onCommit={() => curves.edits.finish()}
       />
     </>
+  );
+}
+
+function Row({ at }: { at: number }) {
+  const [renaming, setRenaming] = useState(false);
+  const { state: own, actions: curves } = useCurves();
+  const step = own.step.value;
+  const pose = step?.poses[at];
+  if (!step || !pose) return null;
+  const taken = standsIn(step, pose);
+  return (
+    <li class={taken ? 'row selected' : 'row'}>
+      {renaming ? (
+        <input
+          class="text"
+          aria-label={t('ui.item.rename', { name: pose.name })}
+          value={pose.name}
+          maxLength={64}
+          ref={(input) => input?.focus()}
+          onBlur={(e) => {
+            setRenaming(false);
+            curves.renamePose(at, e.currentTarget.value);
+          }}
+          onKeyDown={(e) => {
+            if (e.key === 'Escape') e.currentTarget.value = pose.name;
+            if (e.key === 'Enter' || e.key === 'Escape') e.currentTarget.blur();
+          }}
+        />
+      ) : (
+        <button
+          type="button"
+          class="row-main"
+          aria-pressed={taken}
+          onClick={() => curves.takePose(at)}
+          onDblClick={() => setRenaming(true)}
+        >
+          <span>{pose.name}</span>
+        </button>
+      )}
+      <Button
+        icon="pencil"
+        iconOnly
+        label={t('ui.item.rename', { name: pose.name })}
+        onClick={() => setRenaming(true)}
+      />
+      <Button
+        icon="trash-2"
+        iconOnly
+        label={t('ui.item.remove', { name: pose.name })}
+        onClick={() => curves.removePose(at)}
+      />
+    </li>
   );
 }
