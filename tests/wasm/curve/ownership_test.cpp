@@ -16,6 +16,8 @@ std::vector<int> halves(const TriangleMesh& mesh, double border = 5) {
     return owner;
 }
 
+std::vector<double> wide(const TriangleMesh& mesh, double rho) { return std::vector<double>(static_cast<std::size_t>(mesh.vertex_count()), rho); }
+
 double share_of(const OwnerShares& shares, int v, int owner) {
     for (int k = shares.offsets[v]; k < shares.offsets[v + 1]; ++k)
         if (shares.owners[k] == owner) return shares.shares[k];
@@ -41,7 +43,7 @@ TEST_CASE("shares of either kind are a partition that fades across the border ov
     const TriangleMesh mesh = shapes::box(4, 80, 4, {1, 10, 1});
     const std::vector<int> owner = halves(mesh);
     for (const bool diffused : {true, false}) {
-        const OwnerShares shares = diffused ? diffused_shares(mesh, owner, 0.5) : geodesic_shares(mesh, owner, 1);
+        const OwnerShares shares = diffused ? diffused_shares(mesh, owner, wide(mesh, 0.5)) : geodesic_shares(mesh, owner, wide(mesh, 1));
         check_partition(shares, mesh.vertex_count());
         for (int v = 0; v < mesh.vertex_count(); ++v) {
             const double y = mesh.points(v, 1), share = share_of(shares, v, 3);
@@ -55,18 +57,18 @@ TEST_CASE("shares of either kind are a partition that fades across the border ov
 TEST_CASE("diffused shares do not know the unit") {
     const TriangleMesh mesh = shapes::box(4, 40, 4, {1, 10, 1});
     const TriangleMesh large = shapes::moved(mesh, Eigen::Affine3d(Eigen::Scaling(1e4)));
-    const OwnerShares a = diffused_shares(mesh, halves(mesh), 0.5), b = diffused_shares(large, halves(mesh), 0.5e4);
+    const OwnerShares a = diffused_shares(mesh, halves(mesh), wide(mesh, 0.5)), b = diffused_shares(large, halves(mesh), wide(mesh, 0.5e4));
     for (int v = 0; v < mesh.vertex_count(); ++v) CHECK(share_of(a, v, 3) == doctest::Approx(share_of(b, v, 3)).epsilon(1e-6));
 }
 
 TEST_CASE("one owner has all, and five around a place leave the four largest") {
     const TriangleMesh sheet = shapes::sheet(20, 20);
-    const OwnerShares whole = diffused_shares(sheet, std::vector<int>(sheet.vertex_count(), 2), 0.1);
+    const OwnerShares whole = diffused_shares(sheet, std::vector<int>(sheet.vertex_count(), 2), wide(sheet, 0.1));
     for (const double share : whole.shares) CHECK(share == 1);
     std::vector<int> sectors;
     for (int v = 0; v < sheet.vertex_count(); ++v)
         sectors.push_back(static_cast<int>((std::atan2(sheet.points(v, 1) - sheet.points.col(1).mean(), sheet.points(v, 0) - sheet.points.col(0).mean()) + 3.2) / 6.4 * 5));
-    check_partition(diffused_shares(sheet, sectors, 0.3), sheet.vertex_count());
+    check_partition(diffused_shares(sheet, sectors, wide(sheet, 0.3)), sheet.vertex_count());
 }
 
 TEST_CASE("islands of an owner go to those around them, pieces of their own stay") {

@@ -153,6 +153,29 @@ TEST_CASE("what touches both ends of a curve is blended between them, not torn")
     CHECK(stretch < 4);
 }
 
+TEST_CASE("a contour pulls the surface around it and turns nothing") {
+    TriangleMesh mesh = shapes::sheet(60, 60);
+    const double middle = mesh.points.col(1).mean(), low = mesh.points.col(0).minCoeff(), wide = mesh.points.col(0).maxCoeff() - low;
+    const Points rest = line({low + 0.4 * wide, middle, 0}, {low + 0.6 * wide, middle, 0}, 4);
+    CurveSpec spec{.rest = rest, .role = lissom::CurveRole::contour};
+    const CurveSession made = session(mesh, {spec});
+    const CurvePosture resting{};
+    CHECK(gap(made.positions({&resting, 1}), mesh.points) < 1e-14);
+    CurvePosture lifted{.points = rest};
+    lifted.points.col(2).array() += 0.05;
+    const Points moved = made.positions({&lifted, 1});
+    double most = 0;
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const Vector3d x = mesh.points.row(v), away = moved.row(v).transpose() - x;
+        CHECK(away.head<2>().norm() < 1e-12); // moved, not turned
+        CHECK(away.z() >= -1e-12);
+        CHECK(away.z() <= 0.05 + 1e-9);
+        most = std::max(most, away.z());
+        if (x.x() < low + 0.1 * wide) CHECK(moved.row(v) == mesh.points.row(v));
+    }
+    CHECK(most > 0.04);
+}
+
 TEST_CASE("what the shader draws is what the core computes") {
     const Tree tree;
     const CurveSession made = session(tree.mesh, tree.curves, tree.links);

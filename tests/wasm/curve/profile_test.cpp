@@ -24,10 +24,12 @@ TEST_CASE("a profile passes through its values, never past them, and is smooth")
     CHECK(profile.at(50) == 10);
 }
 
-TEST_CASE("even steps give a line, equal values a level") {
+TEST_CASE("even steps give a line but for level ends, equal values a level") {
     const MonotoneProfile line({0, 1, 2, 3}, {0, 10, 20, 30}), level({0, 1}, {7, 7}), one({2}, {5});
-    for (double x = 0; x <= 3; x += 0.1) CHECK(line.at(x) == doctest::Approx(10 * x));
-    CHECK(level.at(0.3) == 7);
+    for (double x = 1; x <= 2; x += 0.1) CHECK(line.at(x) == doctest::Approx(10 * x));
+    CHECK(line.at(1e-4) < 1e-5);
+    CHECK(line.at(3 - 1e-4) > 30 - 1e-5);
+    CHECK(level.at(0.3) == doctest::Approx(7).epsilon(1e-14));
     CHECK(one.at(9) == 5);
 }
 

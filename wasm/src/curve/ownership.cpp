@@ -45,18 +45,25 @@ OwnerShares whole_shares(std::span<const int> owner) {
     return result;
 }
 
-OwnerShares diffused_shares(const TriangleMesh& mesh, std::span<const int> owner, double rho) {
+OwnerShares diffused_shares(const TriangleMesh& mesh, std::span<const int> owner, std::span<const double> rho) {
     const int n = mesh.vertex_count();
     std::vector<int> names(owner.begin(), owner.end());
     std::sort(names.begin(), names.end());
     names.erase(std::unique(names.begin(), names.end()), names.end());
     const int columns = static_cast<int>(names.size());
-    if (columns < 2 || !(rho > 0)) return whole_shares(owner);
+    if (columns < 2) return whole_shares(owner);
     const auto column_of = [&](int name) { return static_cast<int>(std::lower_bound(names.begin(), names.end(), name) - names.begin()); };
 
     const Eigen::VectorXd areas = vertex_areas(mesh);
-    SparseMatrix A = -rho * rho * cotangent_laplacian(mesh);
-    for (int v = 0; v < n; ++v) A.coeffRef(v, v) += areas[v]; // M + ρ² L
+    SparseMatrix A = -cotangent_laplacian(mesh); // M + L_ρ
+    Eigen::VectorXd diagonal = areas;
+    for (int j = 0; j < n; ++j)
+        for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry) {
+            if (entry.row() == j) continue;
+            entry.valueRef() *= rho[entry.row()] * rho[j];
+            diagonal[j] -= entry.value();
+        }
+    for (int v = 0; v < n; ++v) A.coeffRef(v, v) = diagonal[v];
     SparseCholesky solver(A, &mesh.points);
     solver.factorize(A);
     Columns w = Columns::Zero(n, columns);
@@ -75,7 +82,7 @@ OwnerShares diffused_shares(const TriangleMesh& mesh, std::span<const int> owner
     return result;
 }
 
-OwnerShares geodesic_shares(const TriangleMesh& mesh, std::span<const int> owner, double rho) {
+OwnerShares geodesic_shares(const TriangleMesh& mesh, std::span<const int> owner, std::span<const double> rho) {
     const int n = mesh.vertex_count();
     const WeightedGraph graph = edge_graph(mesh);
     // From the middle of every edge that joins two owners: the way to the border, and whose vertices lie beyond it.
@@ -95,7 +102,7 @@ OwnerShares geodesic_shares(const TriangleMesh& mesh, std::span<const int> owner
     while (!front.empty()) {
         const auto [reached, v] = front.top();
         front.pop();
-        if (reached > way[v] || reached > rho) continue;
+        if (reached > way[v] || reached > rho[v]) continue;
         for (int e = graph.offsets[v]; e < graph.offsets[v + 1]; ++e) {
             const int u = graph.ends[e];
             if (owner[u] != owner[v] || reached + graph.lengths[e] >= way[u]) continue;
@@ -107,7 +114,7 @@ OwnerShares geodesic_shares(const TriangleMesh& mesh, std::span<const int> owner
     OwnerShares result;
     std::vector<std::pair<double, int>> shares;
     for (int v = 0; v < n; ++v) {
-        const double own = other[v] < 0 || !(rho > 0) ? 1 : smoothstep(0.5 + way[v] / (2 * rho));
+        const double own = other[v] < 0 || !(rho[v] > 0) ? 1 : smoothstep(0.5 + way[v] / (2 * rho[v]));
         shares.assign(1, {own, owner[v]});
         if (own < 1) shares.emplace_back(1 - own, other[v]);
         close_vertex(result, shares);

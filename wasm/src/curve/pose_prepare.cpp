@@ -349,24 +349,30 @@ void CurveSession::State::assign() {
     }
     if (model && some_linked) owner = joined_owners(surface->rings(), owner);
 
-    OwnerShares shares;
-    double rho = 0;
-    int measures = 0;
+    // Over how far owners blend: the limb's radius at the nearest link; without links the thinnest place of any curve.
+    std::vector<std::pair<Vector3d, double>> widths;
     for (const CurveLink& link : links) {
         if (!order.linked[link.child]) continue;
-        const std::vector<double>& radius = radii[link.child];
-        rho += curves[link.child].options().anchor == CurveEnd::start ? radius.front() : radius.back();
-        ++measures;
+        const bool at_start = curves[link.child].options().anchor == CurveEnd::start;
+        widths.emplace_back(curves[link.child].curve().point(at_start ? 0 : 1), at_start ? radii[link.child].front() : radii[link.child].back());
     }
-    if (measures == 0)
-        for (const std::vector<double>& radius : radii) {
-            rho += *std::min_element(radius.begin(), radius.end());
-            ++measures;
-        }
-    rho *= options.blend / measures;
-    if (!model || limbs < 2 || options.blending == CurveBlending::gaussian) shares = whole_shares(owner);
-    else if (options.blending == CurveBlending::geodesic) shares = geodesic_shares(model->mesh, owner, rho / model->scale);
-    else shares = diffused_shares(model->mesh, owner, rho / model->scale);
+    double thinnest = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < count; ++c)
+        if (!is_contour(c)) thinnest = std::min(thinnest, *std::min_element(radii[c].begin(), radii[c].end()));
+    const bool blends = model && limbs > 1 && options.blending != CurveBlending::gaussian;
+    std::vector<double> rho(blends ? static_cast<std::size_t>(places) : 0);
+    for (std::size_t p = 0; p < rho.size(); ++p) {
+        double width = thinnest, nearest = std::numeric_limits<double>::infinity();
+        for (const auto& [at, radius] : widths)
+            if (const double away = (place(static_cast<int>(p)) - at).squaredNorm(); away < nearest) {
+                nearest = away;
+                width = radius;
+            }
+        rho[p] = options.blend * width / model->scale;
+    }
+    const OwnerShares shares = !blends ? whole_shares(owner)
+                               : options.blending == CurveBlending::geodesic ? geodesic_shares(model->mesh, owner, rho)
+                                                                             : diffused_shares(model->mesh, owner, rho);
     encode(shares, owner);
 }
 

@@ -15,10 +15,7 @@ MonotoneProfile::MonotoneProfile(std::vector<double> places, std::vector<double>
         rise[i] = width > 0 ? (values_[i + 1] - values_[i]) / width : 0;
     }
     for (int i = 0; i < n; ++i) {
-        if (n < 2) break;
-        if (i == 0) slopes_[i] = rise.front();
-        else if (i == n - 1) slopes_[i] = rise.back();
-        else slopes_[i] = rise[i - 1] * rise[i] > 0 ? (rise[i - 1] + rise[i]) / 2 : 0;
+        if (i > 0 && i < n - 1) slopes_[i] = rise[i - 1] * rise[i] > 0 ? (rise[i - 1] + rise[i]) / 2 : 0;
     }
     for (int i = 0; i + 1 < n; ++i) { // within a circle of radius 3 the cubic is monotone (Fritsch and Carlson, S₁)
         if (rise[i] == 0) {
