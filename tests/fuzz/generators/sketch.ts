@@ -14,13 +14,13 @@ const ODD = [0, -1, 1e-30, 1e30, Number.NaN, Number.POSITIVE_INFINITY];
 
 /** A number that is mostly sensible. */
 const number = (random: Random, low: number, high: number) =>
-  random.chance(0.03) ? random.pick(ODD) : random.between(low, high);
+  random.chance(0.003) ? random.pick(ODD) : random.between(low, high);
 
 function inputOf(random: Random) {
   const places = random.few(40);
   const list = (count: number, low: number, high: number) =>
     Float64Array.from(random.list(count, () => number(random, low, high)));
-  const line = () => list(3 * random.few(8) + (random.chance(0.05) ? 1 : 0), -2, 14);
+  const line = () => list(3 * random.few(8) + (random.chance(0.03) ? 1 : 0), -2, 14);
   return {
     shape: random.pick(SHAPES),
     pixels: list(2 * places, 0, 300),

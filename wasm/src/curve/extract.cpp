@@ -80,6 +80,15 @@ double half_width(const CurveSurface& surface, const Through& ray, const Vector3
     return more > 2 * less ? less : (less + more) / 2;
 }
 
+/// Lets ray i end where the limb is as deep as wide, if it goes on into something else.
+void limit_depth(const CurveSurface& surface, std::vector<Through>& all, int i, const Vector3d& along) {
+    if (all[i].triangle < 0 || !all[i].leaves) return;
+    const int a = std::max(0, i - 2), b = std::min(static_cast<int>(all.size()) - 1, i + 2);
+    const Vector3d stroke = all[b].entry - all[a].entry;
+    const double width = half_width(surface, all[i], along, stroke - stroke.dot(along) * along);
+    if (all[i].half_depth() > k_deepest * width) all[i].exit = all[i].entry + 2 * width * along;
+}
+
 Finding finding(const char* code, int count) { return {.code = code, .count = count, .examples = {}, .repaired = true}; }
 
 /// Samples that met nothing between others that did: as far along as those beside them.
@@ -167,21 +176,19 @@ ExtractedCurve extract_curve(const CurveSurface& surface, const Stroke& drawn, c
     curve.kind = is_sheet || options.kind == ExtractOptions::Kind::surface ? CurveKind::surface : CurveKind::skeleton;
     if (is_sheet && options.kind == ExtractOptions::Kind::skeleton) curve.warnings.push_back(finding("open-sheet", 1));
 
-    if (curve.kind == CurveKind::skeleton)
-        for (int i = 0; i < static_cast<int>(all.size()); ++i) {
-            if (all[i].triangle < 0 || !all[i].leaves) continue;
-            const Vector3d along = line.directions.row(first + i).normalized();
-            const int a = std::max(0, i - 2), b = std::min(static_cast<int>(all.size()) - 1, i + 2);
-            const Vector3d stroke = all[b].entry - all[a].entry;
-            const double width = half_width(surface, all[i], along, stroke - stroke.dot(along) * along);
-            if (all[i].half_depth() > k_deepest * width) all[i].exit = all[i].entry + 2 * width * along; // then it is taken to be round
-        }
     std::vector<Vector3d> at;
     std::vector<double> half_depth;
+    std::vector<char> limited(all.size(), 0);
     for (const double sample : control_samples(part_of(line, first, last), options.fit, options.least_controls, options.most_controls)) {
+        const int middle = static_cast<int>(std::lround(sample));
         if (curve.kind == CurveKind::surface) {
-            at.push_back(all[std::lround(sample)].entry);
+            at.push_back(all[middle].entry);
         } else {
+            for (int i = std::max(0, middle - 1); i <= std::min(static_cast<int>(all.size()) - 1, middle + 1); ++i)
+                if (!limited[i]) {
+                    limited[i] = 1;
+                    limit_depth(surface, all, i, line.directions.row(first + i).normalized());
+                }
             at.push_back(about(all, sample, [](const Through& t) { return t.middle(); }));
             half_depth.push_back(about(all, sample, [](const Through& t) { return t.half_depth(); }));
         }

@@ -20,13 +20,63 @@ SplineCurve in_working_space(const WorkingMesh& working, const SplineCurve& curv
     return SplineCurve(controls);
 }
 
+/// Nearest places on a curve for very many points: of a coarse row of samples the nearest, of the fine ones around it the nearest, then the
+/// foot on the chords beside that. Where two stretches of the curve are about equally near, either may be told.
+class SampledCurve {
+public:
+    explicit SampledCurve(const SplineCurve& curve) {
+        const int count = k_coarse * k_fine * curve.span_count();
+        for (int k = 0; k <= count; ++k) {
+            samples_.push_back(curve.point(static_cast<double>(k) / count));
+            along_.push_back(k == 0 ? 0 : along_.back() + (samples_[k] - samples_[k - 1]).norm());
+        }
+    }
+
+    [[nodiscard]] NearestOnCurve nearest(const Vector3d& p) const {
+        const int last = static_cast<int>(samples_.size()) - 1;
+        const int coarse = best(p, 0, last, k_fine);
+        const int i = best(p, std::max(0, coarse - k_fine), std::min(last, coarse + k_fine), 1);
+        NearestOnCurve near{static_cast<double>(i) / last, (samples_[i] - p).norm()};
+        for (const int from : {i - 1, i}) {
+            if (from < 0 || from >= last) continue;
+            const Vector3d chord = samples_[from + 1] - samples_[from];
+            const double u = chord.squaredNorm() > 0 ? std::clamp((p - samples_[from]).dot(chord) / chord.squaredNorm(), 0.0, 1.0) : 0;
+            if (const double distance = (samples_[from] + u * chord - p).norm(); distance < near.distance) near = {(from + u) / last, distance};
+        }
+        return near;
+    }
+    [[nodiscard]] double arc_length(double t) const {
+        const double at = t * static_cast<double>(along_.size() - 1);
+        const std::size_t i = std::min(static_cast<std::size_t>(at), along_.size() - 2);
+        return along_[i] + (at - static_cast<double>(i)) * (along_[i + 1] - along_[i]);
+    }
+    [[nodiscard]] double length() const { return along_.back(); }
+
+private:
+    static constexpr int k_coarse = 4, k_fine = 8; // samples a span, and fine ones between those
+
+    [[nodiscard]] int best(const Vector3d& p, int first, int last, int step) const {
+        int found = first;
+        double least = (samples_[first] - p).squaredNorm();
+        for (int i = first + step; i <= last; i += step)
+            if (const double squared = (samples_[i] - p).squaredNorm(); squared < least) {
+                least = squared;
+                found = i;
+            }
+        return found;
+    }
+
+    std::vector<Vector3d> samples_;
+    std::vector<double> along_;
+};
+
 enum class Place : char { unknown, inside, before, after, beside };
 
 /// Where vertices lie relative to a curve; each is looked at once.
 class Places {
 public:
     Places(const CurveSurface& surface, const SplineCurve& curve, std::vector<double> radius, const RegionOptions& options)
-        : points_(surface.mesh().points), curve_(curve), radius_(std::move(radius)), options_(options), place_(static_cast<std::size_t>(points_.rows()), Place::unknown),
+        : points_(surface.mesh().points), sampled_(curve), start_(curve.point(0)), end_(curve.point(1)), at_start_(curve.tangent(0)), at_end_(curve.tangent(1)), radius_(std::move(radius)), options_(options), place_(static_cast<std::size_t>(points_.rows()), Place::unknown),
           t_(place_.size(), 0) {}
 
     [[nodiscard]] Place of(int v) {
@@ -44,23 +94,27 @@ public:
         const double u = at - static_cast<double>(i);
         return (1 - u) * radius_[i] + u * radius_[i + 1];
     }
+    /// Ways along the curve.
+    [[nodiscard]] double from_start(double t) const { return sampled_.arc_length(t); }
+    [[nodiscard]] double to_end(double t) const { return sampled_.length() - sampled_.arc_length(t); }
     [[nodiscard]] double largest_radius() const { return *std::max_element(radius_.begin(), radius_.end()); }
 
 private:
     [[nodiscard]] Place by_distance(const Vector3d& p, double& t) const {
-        const NearestOnCurve near = curve_.nearest(p);
+        const NearestOnCurve near = sampled_.nearest(p);
         t = near.t;
-        if (t <= 0 && (p - curve_.point(0)).dot(curve_.tangent(0)) <= 0) return Place::before;
-        if (t >= 1 && (p - curve_.point(1)).dot(curve_.tangent(1)) >= 0) return Place::after;
+        if (t <= 0 && (p - start_).dot(at_start_) <= 0) return Place::before;
+        if (t >= 1 && (p - end_).dot(at_end_) >= 0) return Place::after;
         return near.distance < options_.kappa * radius(t) ? Place::inside : Place::beside;
     }
     [[nodiscard]] Place by_planes(const Vector3d& p) const {
-        if ((p - curve_.point(0)).dot(curve_.tangent(0)) < 0) return Place::before;
-        return (p - curve_.point(1)).dot(curve_.tangent(1)) > 0 ? Place::after : Place::inside;
+        if ((p - start_).dot(at_start_) < 0) return Place::before;
+        return (p - end_).dot(at_end_) > 0 ? Place::after : Place::inside;
     }
 
     const Points& points_;
-    const SplineCurve& curve_;
+    SampledCurve sampled_;
+    Vector3d start_, end_, at_start_, at_end_;
     std::vector<double> radius_;
     const RegionOptions& options_;
     std::vector<Place> place_;
@@ -166,8 +220,8 @@ private:
         const Place place = places_.of(outside);
         const double t = places_.t(outside);
         const double reach = places_.radius(t);
-        at_start |= place == Place::before || (place == Place::beside && curve_.arc_length(t) < reach);
-        at_end |= place == Place::after || (place == Place::beside && curve_.length() - curve_.arc_length(t) < reach);
+        at_start |= place == Place::before || (place == Place::beside && places_.from_start(t) < reach);
+        at_end |= place == Place::after || (place == Place::beside && places_.to_end(t) < reach);
     }
 
     const CurveSurface& surface_;
