@@ -1,7 +1,7 @@
 import type { DeformWing } from '../../web/app/deform/wing';
 import { blended } from '../view/blend/reference';
 import { type Desk, diagonal, expect, gap, handleGap, moved, SIZE, test } from './desk';
-import { sheetObj, sheetRecipe } from './shapes';
+import { rolledObj, sheetRecipe } from './shapes';
 
 test.use({ viewport: SIZE });
 
@@ -125,7 +125,7 @@ test('a large model is prepared with progress and a way out, and dragged by isol
   const n = 412; // 170,569 vertices
   // Strips wide enough to take hold of.
   const recipe = sheetRecipe(n, 20, { method: 'isolines' });
-  await desk.chooseAndCancel(['sheet.json', recipe], ['sheet.obj', sheetObj(n)]);
+  await desk.chooseAndCancel(['sheet.json', recipe], ['sheet.obj', rolledObj(n)]);
 
   await page.getByRole('button', { name: /^Left/ }).click();
   await page.getByRole('textbox', { name: 'Move Y' }).fill('9');

@@ -49,6 +49,15 @@ export function sheetObj(n: number): string {
   return `${lines.join('\n')}\n`;
 }
 
+/** The same rolled up, but for a slit: its isolines from side to side are rings. */
+export function rolledObj(n: number): string {
+  const radius = n / 6;
+  return sheetObj(n).replace(/^v (\S+) (\S+) (\S+)$/gm, (_, x, y, z) => {
+    const [angle, r] = [(6 * Number(z)) / n, radius + Number(y)];
+    return `v ${x} ${(r * Math.cos(angle)).toFixed(4)} ${(r * Math.sin(angle)).toFixed(4)}`;
+  });
+}
+
 /** A recipe of such a sheet, sheet.obj, held along both sides. @param width  of the strips, in vertices */
 export function sheetRecipe(n: number, width: number, step: object): string {
   const strip = (name: string, from: number) => ({
