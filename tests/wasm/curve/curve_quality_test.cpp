@@ -35,9 +35,10 @@ double volume(const TriangleMesh& mesh, const Points& moved) { return lissom::si
 } // namespace
 
 TEST_CASE("bars bent and twisted are smooth, the slabs of the thesis show stairs") {
-    const TriangleMesh mesh = bar(22); // about 24,000 vertices
-    CurvePosture twisted{.points = axis(5)};
-    for (int i = 0; i < 5; ++i) twisted.twist.push_back(45 * i);
+    const TriangleMesh mesh = bar(24); // 24,194 vertices
+    // The bar's corners change by (rate · ½)² in any twist: 1.4 degrees at 18 degrees a unit. It sets in and ends over one segment.
+    CurvePosture twisted{.points = axis(9), .twist = {0}};
+    for (int i = 0; i < 8; ++i) twisted.twist.push_back(twisted.twist.back() + 180 / 7.0 * (i == 0 || i == 7 ? 0.5 : 1));
     const struct {
         const char* name;
         CurvePosture posture;
@@ -76,7 +77,7 @@ TEST_CASE("the guard bends a bar to 110 and 135 degrees without crossings") {
         CHECK(crossed == 0);
         CHECK(std::abs(volume(mesh, with.positions) / longer - 1) < 0.02);
         CHECK(with.strain.tilt < 30);
-        if (degrees > 100) CHECK(open > 100);
+        if (degrees > 120) CHECK(open > 2000);
     }
     const CurvePosture from{.points = bent(0)}, to{.points = bent(170)};
     const double share = guarded.drag_limit({&from, 1}, {&to, 1});

@@ -29,32 +29,35 @@ Between between(float row) {
     return {i, static_cast<double>(row) - i};
 }
 
-/// The affine rows of a curve laid out for the loop over vertices: four columns of a map (three numbers and a pad), then those of what the
-/// next row has more.
+/// Maps of the rows of a curve laid out for the loop over vertices: four columns of a map (three numbers and a pad), then those of what
+/// the next row has more.
 using Column = Vector4d;
-std::vector<Column, Eigen::aligned_allocator<Column>> columns_of(const CurveRows& rows, const Vector3d& centre) {
-    std::vector<Column, Eigen::aligned_allocator<Column>> result(8 * k_rows, Column::Zero());
+using Columns4 = std::vector<Column, Eigen::aligned_allocator<Column>>;
+Columns4 columns_of(const std::vector<Matrix34>& maps, const Vector3d& moved_by) {
+    Columns4 result(8 * k_rows, Column::Zero());
     for (int i = 0; i < k_rows; ++i)
         for (int k = 0; k < 4; ++k) {
-            result[8 * i + k].head<3>() = rows.affine[i].col(k);
-            if (k == 3) result[8 * i + k].head<3>() += centre;
-            if (i + 1 < k_rows) result[8 * i + 4 + k].head<3>() = rows.affine[i + 1].col(k) - rows.affine[i].col(k);
+            result[8 * i + k].head<3>() = maps[i].col(k);
+            if (k == 3) result[8 * i + k].head<3>() += moved_by;
+            if (i + 1 < k_rows) result[8 * i + 4 + k].head<3>() = maps[i + 1].col(k) - maps[i].col(k);
         }
     return result;
 }
 
+/// What the map between two rows makes of a point.
+inline Column moved_between(const Columns4& columns, const Between& at, double x, double y, double z) {
+    const Column* c = columns.data() + 8 * at.row;
+    return (c[0] + at.share * c[4]) * x + (c[1] + at.share * c[5]) * y + (c[2] + at.share * c[6]) * z + (c[3] + at.share * c[7]);
+}
+
 void pose_singles(const SingleVertices& singles, const CurveRows& rows, const Vector3d& centre, const Points& rest, Points& out) {
-    const auto columns = columns_of(rows, centre);
+    const Columns4 columns = columns_of(rows.affine, centre);
     const int count = static_cast<int>(singles.vertices.size());
     for (int i = 0; i < count; ++i) {
-        const int v = singles.vertices[i];
-        const auto [row, share] = between(singles.rows[i]);
-        const Column* at = columns.data() + 8 * row;
-        const double x = rest(v, 0), y = rest(v, 1), z = rest(v, 2);
-        const Column sum = (at[0] + share * at[4]) * x + (at[1] + share * at[5]) * y + (at[2] + share * at[6]) * z + (at[3] + share * at[7]);
-        out(v, 0) = sum[0];
-        out(v, 1) = sum[1];
-        out(v, 2) = sum[2];
+        const std::size_t v = 3 * static_cast<std::size_t>(singles.vertices[i]);
+        const double* x = rest.data() + v;
+        const Column sum = moved_between(columns, between(singles.rows[i]), x[0], x[1], x[2]);
+        for (int k = 0; k < 3; ++k) out.data()[v + k] = sum[k];
     }
 }
 
@@ -63,36 +66,36 @@ Vector3d moved(const Matrix34& map, const Vector3d& x) { return map.leftCols<3>(
 /// The blend of a vertex's motions, without the maps before them, and the vertex after those.
 struct Blend {
     DualQuaternion motion;
-    Vector3d point;
+    Column point;
 };
-template <class Rows>
-Blend blend_of(const BlendedVertices& blended, int i, const Rows& rows, const std::vector<bool>& plain, const Vector3d& x) {
-    Blend result;
+Blend blend_of(const BlendedVertices& blended, int i, const std::vector<CurveRows>& rows, const std::vector<Columns4>& before, const double* x) {
+    Blend result{{}, Column::Zero()};
     result.motion.real.setZero();
-    result.point.setZero();
     double left = 1;
     for (int k = blended.offsets[i]; k < blended.offsets[i + 1]; ++k) {
-        const CurveRows& of = rows[blended.curves[k]];
-        const auto [row, share] = between(blended.rows[k]);
+        const int curve = blended.curves[k];
+        const Between at = between(blended.rows[k]);
         const double weight = blended.weights[k];
-        DualQuaternion at;
-        at.real = (1 - share) * of.rigid[row].real + share * of.rigid[row + 1].real;
-        at.dual = (1 - share) * of.rigid[row].dual + share * of.rigid[row + 1].dual;
-        result.motion.add(weight, at);
-        if (plain[blended.curves[k]]) result.point += weight * x;
-        else result.point += weight * ((1 - share) * moved(of.before[row], x) + share * moved(of.before[row + 1], x));
+        const DualQuaternion *here = rows[curve].rigid.data() + at.row, *next = here + 1;
+        DualQuaternion motion;
+        motion.real = here->real + at.share * (next->real - here->real);
+        motion.dual = here->dual + at.share * (next->dual - here->dual);
+        result.motion.add(weight, motion);
+        result.point += weight * moved_between(before[curve], at, x[0], x[1], x[2]);
         left -= weight;
     }
     if (left > 1e-12) {
         result.motion.add(left, DualQuaternion());
-        result.point += left * x;
+        result.point += left * Column(x[0], x[1], x[2], 0);
     }
     return result;
 }
 
-/// Whether nothing is stretched or scaled.
-bool is_plain(const CurveRows& rows) {
-    return std::all_of(rows.before.begin(), rows.before.end(), [](const Matrix34& map) { return map.leftCols<3>().isIdentity(0) && map.col(3).isZero(0); });
+/// The maps before the motions, of every curve.
+std::vector<Columns4> columns_before(const std::vector<CurveRows>& rows) {
+    std::vector<Columns4> result;
+    for (const CurveRows& of : rows) result.push_back(columns_of(of.before, Vector3d::Zero()));
+    return result;
 }
 
 } // namespace
@@ -154,8 +157,9 @@ int CurveSession::curve_count() const { return static_cast<int>(state_->specs.si
 PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
     const State& s = *state_;
     const State::Posed posed = s.posed(postures);
-    PosedPoints result{s.given(), posed.strain};
+    PosedPoints result{Points(s.rest.rows(), 3), posed.strain};
     Points& out = result.positions;
+    for (const int v : s.resting) out.row(v) = s.given().row(v);
     const int count = curve_count();
     if (s.options.encoding == CurveEncoding::slabs) {
         std::vector<SlabTable::Planes> planes;
@@ -176,17 +180,16 @@ PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
         return result;
     }
     for (int c = 0; c < count; ++c) pose_singles(s.singles[c], posed.rows[c], s.centre, s.rest, out);
-    std::vector<bool> plain;
-    for (const CurveRows& rows : posed.rows) plain.push_back(is_plain(rows));
+    const std::vector<Columns4> before = columns_before(posed.rows);
     for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
-        const int v = s.blended.vertices[i];
-        const Blend blend = blend_of(s.blended, i, posed.rows, plain, s.rest.row(v).transpose());
+        const std::size_t v = 3 * static_cast<std::size_t>(s.blended.vertices[i]);
+        const Blend blend = blend_of(s.blended, i, posed.rows, before, s.rest.data() + v);
         // One quaternion turns the point, so that no matrix is made of it: x + 2 r × (r × x + w x), and the translation of the dual part.
         const double norm = 1 / blend.motion.real.norm();
         const Vector4d r = norm * blend.motion.real, d = norm * blend.motion.dual;
-        const Vector3d axis = r.head<3>();
-        const Vector3d turned = blend.point + 2 * axis.cross(axis.cross(blend.point) + r[3] * blend.point);
-        out.row(v) = (turned + 2 * (r[3] * d.head<3>() - d[3] * axis + axis.cross(d.head<3>())) + s.centre).transpose();
+        const Vector3d axis = r.head<3>(), point = blend.point.head<3>();
+        const Vector3d sum = point + 2 * (axis.cross(axis.cross(point) + r[3] * point + d.head<3>()) + r[3] * d.head<3>() - d[3] * axis) + s.centre;
+        for (int k = 0; k < 3; ++k) out.data()[v + k] = sum[k];
     }
     return result;
 }
@@ -242,8 +245,7 @@ Points CurveSession::normals(std::span<const CurvePosture> postures, const Point
     const State& s = *state_;
     const State::Posed posed = s.posed(postures);
     Points result = normals;
-    std::vector<bool> plain;
-    for (const CurveRows& rows : posed.rows) plain.push_back(is_plain(rows));
+    const std::vector<Columns4> before = columns_before(posed.rows);
 
     // ∂s/∂x = u / (1 − κ·(x − C)) of the nearest point at rest; 0 beyond the ends.
     const auto row_gradient = [&](int c, float row, const Vector3d& x) -> Vector3d {
@@ -274,7 +276,7 @@ Points CurveSession::normals(std::span<const CurvePosture> postures, const Point
     for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
         const int v = s.blended.vertices[i];
         const Vector3d x = s.rest.row(v).transpose();
-        const Blend blend = blend_of(s.blended, i, posed.rows, plain, x);
+        const Blend blend = blend_of(s.blended, i, posed.rows, before, x.data());
         Matrix3d P = Matrix3d::Zero(), along = Matrix3d::Zero();
         double left = 1;
         for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {

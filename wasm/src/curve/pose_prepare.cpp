@@ -480,7 +480,10 @@ void CurveSession::State::encode(const OwnerShares& shares, std::span<const int>
     single_places.resize(count);
     for (int v = 0; v < rest.rows(); ++v) {
         const int p = model ? model->working_of_source[v] : v;
-        if (p < 0 || offsets[p] == offsets[p + 1]) continue;
+        if (p < 0 || offsets[p] == offsets[p + 1]) {
+            resting.push_back(v);
+            continue;
+        }
         const Influence& first = influences[offsets[p]];
         if (offsets[p + 1] - offsets[p] == 1 && first.weight >= 1 - 1e-12) {
             singles[first.curve].vertices.push_back(v);

@@ -49,6 +49,7 @@ struct CurveSession::State {
 
     std::vector<SingleVertices> singles; ///< per curve
     BlendedVertices blended;
+    std::vector<int> resting; ///< source vertices that nothing moves
     std::vector<SlabTable> slabs;             ///< per curve, for the slabs only
     std::vector<std::vector<SlabPlace>> single_places; ///< likewise, as singles
     std::vector<SlabPlace> blended_places;
