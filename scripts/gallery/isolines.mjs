@@ -15,11 +15,11 @@ function critterDancing() {
   const lean = turn([0, 0, 1], -8, [0, 0.5, 0]);
   return byIsolines('critter-scaled', [
     held('Legs', (_x, y) => y < 0.5),
-    held('Head', (_x, y) => y > 1.95, after(lean, turn([0.2, 1, 0.25], 30, [0, 1.8, 0]))),
+    held('Head', (_x, y) => y > 1.95, after(lean, turn([0.2, 1, 0.25], 25, [0, 1.8, 0]))),
     held(
       'Left hand',
       (x, y) => x > 0.86 && y > 0.95,
-      after(lean, turn([0.2, 0.4, 1], 60, [0.4, 1.36, 0.06])),
+      after(lean, turn([0.2, 0.4, 1], 50, [0.4, 1.36, 0.06])),
     ),
     held(
       'Right hand',

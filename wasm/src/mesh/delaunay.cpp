@@ -18,7 +18,7 @@ constexpr int k_flips_per_edge = 10;
 /// cot α + cot β below which an edge gains enough by a flip to be worth it.
 constexpr double k_slack = 1e-9;
 /// Cosine between each new triangle and the two old ones together.
-constexpr double k_flat = 0.7;
+constexpr double k_flat = 0.9;
 
 class Flipper {
 public:

@@ -155,7 +155,7 @@ export function curvesCommands(
       workspace,
       title: 'command.curves.crossings',
       icon: 'triangle-alert',
-      keys: ['X'],
+      keys: ['C'],
       enabled: open,
       checked: () => own.showCrossings.value,
       run: () => follow.toggleCrossings(),
