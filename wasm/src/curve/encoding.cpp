@@ -2,6 +2,7 @@
 
 #include "lissom/curve/profile.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/smooth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,11 +26,6 @@ SplineOptions spline_options(const EncodedCurveOptions& options) {
     SplineOptions result;
     result.rigid = options.rigid;
     return result;
-}
-
-double smoothstep(double x) {
-    const double u = std::clamp(x, 0.0, 1.0);
-    return u * u * (3 - 2 * u);
 }
 
 /// x ↦ C + F D Fᵀ (x − C)
@@ -122,7 +118,7 @@ std::vector<EncodedCurve::Across> EncodedCurve::across(const CurvePosture& postu
         const double twist = posture.twist.empty() ? 0 : at_end(posture.twist);
         const std::array<double, 2> scale = posture.scale.empty() ? std::array<double, 2>{1, 1} : at_end(posture.scale);
         for (std::size_t j = 0; j < lengths.size(); ++j) {
-            const double fading = 1 - smoothstep((end ? curve_.length() - lengths[j] : lengths[j]) / width);
+            const double fading = 1 - smooth((end ? curve_.length() - lengths[j] : lengths[j]) / width);
             if (fading <= 0) continue;
             result[j].twist -= fading * twist;
             result[j].scale_v /= std::pow(scale[0], fading);

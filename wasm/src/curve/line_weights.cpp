@@ -1,6 +1,7 @@
 #include "lissom/curve/line_weights.h"
 
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/smooth.h"
 #include "lissom/mesh/surface_paths.h"
 
 #include <algorithm>
@@ -73,8 +74,6 @@ ShortestPaths paths_from(WeightedGraph graph, const Beside& from, double limit) 
     return shortest_paths(graph, std::vector<int>{origin}, limit);
 }
 
-double smoothstep(double x) { return x * x * (3 - 2 * x); }
-
 void check(const Polyline& line) {
     for (const Vector3d& p : line)
         if (!p.allFinite()) throw InvalidInput("non-finite-curve", "A line has places that are not finite. Take another line.");
@@ -117,7 +116,7 @@ LineWeights line_weights(const CurveSurface& surface, const Polyline& line, cons
     for (const int v : reached) {
         if (!beside_line[v] && to_line.before[v] < mesh.vertex_count()) along[v] = along[to_line.before[v]];
         const double d1 = to_line.distance[v], d0 = std::min(to_others.distance[v], radius - d1);
-        w[v] = d0 + d1 > 0 ? smoothstep(std::clamp(d0 / (d0 + d1), 0.0, 1.0)) : 1;
+        w[v] = d0 + d1 > 0 ? smooth(d0 / (d0 + d1)) : 1;
         held[v] = 0;
     }
     for (const int v : blocking.vertices) held[v] = 1;

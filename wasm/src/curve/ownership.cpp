@@ -1,6 +1,7 @@
 #include "lissom/curve/ownership.h"
 
 #include "lissom/mesh/operators.h"
+#include "lissom/mesh/smooth.h"
 #include "lissom/mesh/surface_paths.h"
 #include "lissom/solve/sparse_cholesky.h"
 
@@ -14,11 +15,6 @@ namespace lissom {
 namespace {
 
 constexpr double k_least = 1e-3; ///< what every share loses, so that the last of them end at nothing
-
-double smoothstep(double x) {
-    const double u = std::clamp(x, 0.0, 1.0);
-    return u * u * (3 - 2 * u);
-}
 
 /// Adds one vertex: the largest shares, summing to 1.
 void close_vertex(OwnerShares& all, std::vector<std::pair<double, int>>& shares) {
@@ -114,7 +110,7 @@ OwnerShares geodesic_shares(const TriangleMesh& mesh, std::span<const int> owner
     OwnerShares result;
     std::vector<std::pair<double, int>> shares;
     for (int v = 0; v < n; ++v) {
-        const double own = other[v] < 0 || !(rho[v] > 0) ? 1 : smoothstep(0.5 + way[v] / (2 * rho[v]));
+        const double own = other[v] < 0 || !(rho[v] > 0) ? 1 : smooth(0.5 + way[v] / (2 * rho[v]));
         shares.assign(1, {own, owner[v]});
         if (own < 1) shares.emplace_back(1 - own, other[v]);
         close_vertex(result, shares);

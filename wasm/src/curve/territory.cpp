@@ -1,5 +1,6 @@
 #include "lissom/curve/territory.h"
 
+#include "lissom/mesh/smooth.h"
 #include "lissom/mesh/surface_paths.h"
 
 #include <algorithm>
@@ -61,7 +62,7 @@ std::vector<double> between_shares(const TriangleMesh& mesh, const CurveField& f
     for (int v = 0; v < n; ++v) {
         if (field.side[v] != CurveSide::between) continue;
         const double x = std::isinf(from_end[v]) ? 0 : std::isinf(from_start[v]) ? 1 : from_start[v] / std::max(from_start[v] + from_end[v], 1e-300);
-        result[v] = x * x * (3 - 2 * x);
+        result[v] = smooth(x);
     }
     return result;
 }

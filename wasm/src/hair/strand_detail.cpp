@@ -1,9 +1,9 @@
 #include "lissom/hair/strand_detail.h"
 
 #include "demand.h"
-#include "smooth.h"
 
 #include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/smooth.h"
 
 #include <Eigen/Geometry>
 

@@ -1,9 +1,9 @@
 #include "lissom/hair/strand_growth.h"
 
 #include "demand.h"
-#include "smooth.h"
 
 #include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/smooth.h"
 
 #include <algorithm>
 #include <cmath>

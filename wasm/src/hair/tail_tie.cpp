@@ -1,6 +1,6 @@
 #include "lissom/hair/tail_tie.h"
 
-#include "smooth.h"
+#include "lissom/mesh/smooth.h"
 
 #include <algorithm>
 #include <cmath>
