@@ -3,13 +3,16 @@
 // The whole traffic between JS values and C++: copies only, so no view outlives a growth of the memory.
 
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/polyline.h"
 #include "lissom/mesh/working_mesh.h"
 
 #include <emscripten/val.h>
 
+#include <initializer_list>
 #include <new>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace bindings {
@@ -30,6 +33,27 @@ inline lissom::Points points(const val& float64) {
     lissom::Points result(static_cast<Eigen::Index>(length / 3), 3);
     val(emscripten::typed_memory_view(length, result.data())).call<void>("set", float64);
     return result;
+}
+
+/// Float64Array of 3n → a line of n places.
+inline lissom::Polyline polyline(const val& float64) {
+    const lissom::Points rows = points(float64);
+    lissom::Polyline line;
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) line.push_back(rows.row(i).transpose());
+    return line;
+}
+
+/// One of some kinds by its name. @param what  they are called, for who asks for another one
+template <class Kind>
+Kind named(const val& name, const char* what, std::initializer_list<std::pair<const char*, Kind>> kinds) {
+    const auto given = name.as<std::string>();
+    std::string known;
+    for (const auto& [called, kind] : kinds) {
+        if (given == called) return kind;
+        const bool is_last = called == (kinds.end() - 1)->first;
+        known += std::string(known.empty() ? "" : is_last ? " or " : ", ") + called;
+    }
+    throw lissom::InvalidInput("bad-option", std::string("There is no ") + what + " called '" + given + "'. Choose " + known + ".");
 }
 
 /// A fresh typed array that JS owns and may transfer; its element type is that of `numbers`.

@@ -18,19 +18,8 @@ struct HeldCurves {
     lissom::CurveSession session; ///< holds its model
 };
 
-template <class Kind>
-Kind named(const val& name, std::initializer_list<std::pair<const char*, Kind>> kinds) {
-    const auto given = name.as<std::string>();
-    std::string known;
-    for (const auto& [called, kind] : kinds) {
-        if (given == called) return kind;
-        known += (known.empty() ? "" : ", ") + std::string(called);
-    }
-    throw lissom::InvalidInput("bad-option", "There is no '" + given + "' for curves. Choose one of: " + known + ".");
-}
-
 lissom::CurveEnd end_named(const val& name) {
-    return named<lissom::CurveEnd>(name, {{"start", lissom::CurveEnd::start}, {"end", lissom::CurveEnd::end}});
+    return named<lissom::CurveEnd>(name, "end of a curve", {{"start", lissom::CurveEnd::start}, {"end", lissom::CurveEnd::end}});
 }
 
 // CurveSpec of web/kernel/contract/curve.ts
@@ -38,7 +27,7 @@ std::vector<lissom::CurveSpec> specs(const val& list) {
     std::vector<lissom::CurveSpec> result;
     for (const val& given : vecFromJSArray<val>(list)) {
         lissom::CurveSpec spec{.rest = points(given["rest"])};
-        spec.role = named<lissom::CurveRole>(given["role"], {{"limb", lissom::CurveRole::limb}, {"contour", lissom::CurveRole::contour}});
+        spec.role = named<lissom::CurveRole>(given["role"], "role of a curve", {{"limb", lissom::CurveRole::limb}, {"contour", lissom::CurveRole::contour}});
         spec.rigid = indices(given["rigid"]);
         if (!given["region"].isNull()) spec.region = indices(given["region"]);
         if (!given["anchor"].isNull()) spec.anchor = end_named(given["anchor"]);
@@ -56,9 +45,9 @@ std::vector<lissom::CurveLink> curve_links(const val& list) {
 lissom::CurveOptions curve_options(const val& given) {
     using lissom::CurveBlending, lissom::CurveEncoding, lissom::CurveGuard;
     lissom::CurveOptions options;
-    options.blending = named<CurveBlending>(given["blending"], {{"ownership", CurveBlending::ownership}, {"geodesic", CurveBlending::geodesic}, {"gaussian", CurveBlending::gaussian}});
-    options.encoding = named<CurveEncoding>(given["encoding"], {{"kernel", CurveEncoding::kernel}, {"slabs", CurveEncoding::slabs}});
-    options.guard = named<CurveGuard>(given["guard"], {{"symmetric", CurveGuard::symmetric}, {"thesis", CurveGuard::thesis}, {"none", CurveGuard::none}});
+    options.blending = named<CurveBlending>(given["blending"], "blending of curves", {{"ownership", CurveBlending::ownership}, {"geodesic", CurveBlending::geodesic}, {"gaussian", CurveBlending::gaussian}});
+    options.encoding = named<CurveEncoding>(given["encoding"], "encoding of curves", {{"kernel", CurveEncoding::kernel}, {"slabs", CurveEncoding::slabs}});
+    options.guard = named<CurveGuard>(given["guard"], "guard of curves", {{"symmetric", CurveGuard::symmetric}, {"thesis", CurveGuard::thesis}, {"none", CurveGuard::none}});
     return options;
 }
 

@@ -17,17 +17,11 @@ struct HeldSession {
     lissom::DeformSession session;
 };
 
-lissom::DeformMethod method_named(const std::string& name) {
-    if (name == "implicit") return lissom::DeformMethod::implicit;
-    if (name == "iterative") return lissom::DeformMethod::iterative;
-    if (name == "naive") return lissom::DeformMethod::naive;
-    throw lissom::InvalidInput("bad-option", "There is no deformation method called '" + name +
-                                                 "'. Choose implicit, iterative or naive.");
-}
-
 lissom::DeformOptions deform_options(const val& given) {
+    using Method = lissom::DeformMethod;
     lissom::DeformOptions options;
-    if (const val method = given["method"]; !method.isUndefined()) options.method = method_named(method.as<std::string>());
+    if (const val method = given["method"]; !method.isUndefined())
+        options.method = named<Method>(method, "deformation method", {{"implicit", Method::implicit}, {"iterative", Method::iterative}, {"naive", Method::naive}});
     read(given, "removeShear", options.remove_shear);
     read(given, "scaleDetails", options.scale_details);
     read(given, "iterations", options.iterations);

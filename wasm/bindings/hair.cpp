@@ -74,13 +74,6 @@ val describe(const HeldHair& held) {
     });
 }
 
-lissom::Polyline polyline(const val& flat) {
-    const lissom::Points list = points(flat);
-    lissom::Polyline line;
-    for (Eigen::Index i = 0; i < list.rows(); ++i) line.push_back(list.row(i).transpose());
-    return line;
-}
-
 // style(HairStyleSpec) → StyledHair of web/kernel/contract.ts
 val style(HeldHair& held, const val& given) {
     return guarded([&] {

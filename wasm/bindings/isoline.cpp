@@ -25,23 +25,13 @@ struct HeldIsolines {
     lissom::IsolineOptions options;
 };
 
-lissom::LocalStep local_step_named(const std::string& name) {
-    if (name == "patches") return lissom::LocalStep::patches;
-    if (name == "isolines") return lissom::LocalStep::isolines;
-    if (name == "positions") return lissom::LocalStep::positions;
-    throw lissom::InvalidInput("bad-option", "There is no local step called '" + name + "'. Choose patches, isolines or positions.");
-}
-
-lissom::BasisKind basis_named(const std::string& name) {
-    if (name == "quadratic") return lissom::BasisKind::quadratic;
-    if (name == "hats") return lissom::BasisKind::hats;
-    throw lissom::InvalidInput("bad-option", "There is no basis called '" + name + "'. Choose quadratic or hats.");
-}
-
 lissom::IsolineOptions isoline_options(const val& given) {
+    using lissom::BasisKind, lissom::LocalStep;
     lissom::IsolineOptions options;
-    if (const val basis = given["basis"]; !basis.isUndefined()) options.basis = basis_named(basis.as<std::string>());
-    if (const val local = given["local"]; !local.isUndefined()) options.local = local_step_named(local.as<std::string>());
+    if (const val basis = given["basis"]; !basis.isUndefined())
+        options.basis = named<BasisKind>(basis, "basis", {{"quadratic", BasisKind::quadratic}, {"hats", BasisKind::hats}});
+    if (const val local = given["local"]; !local.isUndefined())
+        options.local = named<LocalStep>(local, "local step", {{"patches", LocalStep::patches}, {"isolines", LocalStep::isolines}, {"positions", LocalStep::positions}});
     read(given, "controls", options.controls);
     read(given, "sampledTriangles", options.sampled_triangles);
     read(given, "scaleDetails", options.scale_details);

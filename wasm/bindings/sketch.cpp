@@ -39,28 +39,8 @@ val figures(const HeldSurface& held) {
     return result;
 }
 
-lissom::Polyline polyline(const val& float64) {
-    const lissom::Points rows = points(float64);
-    lissom::Polyline line;
-    for (Eigen::Index i = 0; i < rows.rows(); ++i) line.push_back(rows.row(i).transpose());
-    return line;
-}
-
 val doubles(const std::vector<double>& numbers) { return typed_array(numbers.data(), numbers.size()); }
 val vertex_list(const std::vector<int>& vertices) { return uint32_array(vertices.data(), vertices.size()); }
-
-lissom::ExtractOptions::Kind kind_named(const std::string& name) {
-    if (name == "automatic") return lissom::ExtractOptions::Kind::automatic;
-    if (name == "skeleton") return lissom::ExtractOptions::Kind::skeleton;
-    if (name == "surface") return lissom::ExtractOptions::Kind::surface;
-    throw lissom::InvalidInput("bad-option", "There is no kind of curve called '" + name + "'. Choose automatic, skeleton or surface.");
-}
-
-lissom::RegionMethod method_named(const std::string& name) {
-    if (name == "local") return lissom::RegionMethod::local;
-    if (name == "planes") return lissom::RegionMethod::planes;
-    throw lissom::InvalidInput("bad-option", "There is no way to find a region called '" + name + "'. Choose local or planes.");
-}
 
 // sketch(pixels: Float64Array 2n, origins: Float64Array 3n, directions: Float64Array 3n, options) → SketchedCurve
 val sketch(const HeldSurface& held, const val& pixels, const val& origins, const val& directions, const val& given) {
@@ -71,7 +51,8 @@ val sketch(const HeldSurface& held, const val& pixels, const val& origins, const
         stroke.origins = points(origins);
         stroke.directions = points(directions);
         lissom::ExtractOptions options;
-        if (const val kind = given["kind"]; !kind.isUndefined()) options.kind = kind_named(kind.as<std::string>());
+        using Kind = lissom::ExtractOptions::Kind;
+        if (const val kind = given["kind"]; !kind.isUndefined()) options.kind = named<Kind>(kind, "kind of curve", {{"automatic", Kind::automatic}, {"skeleton", Kind::skeleton}, {"surface", Kind::surface}});
         read(given, "fit", options.fit);
         lissom::Stopwatch clock;
         const lissom::ExtractedCurve curve = lissom::extract_curve(held.surface, stroke, options);
@@ -91,7 +72,8 @@ val region(const HeldSurface& held, const val& controls, const val& given) {
     return guarded([&] {
         lissom::RegionOptions options;
         read(given, "kappa", options.kappa);
-        if (const val method = given["method"]; !method.isUndefined()) options.method = method_named(method.as<std::string>());
+        using Method = lissom::RegionMethod;
+        if (const val method = given["method"]; !method.isUndefined()) options.method = named<Method>(method, "way to find a region", {{"local", Method::local}, {"planes", Method::planes}});
         if (const val hits = given["hits"]; !hits.isUndefined()) options.hits = indices(hits);
         const int count = held.surface.mesh().triangle_count();
         if (std::any_of(options.hits.begin(), options.hits.end(), [&](int t) { return t < 0 || t >= count; }))
