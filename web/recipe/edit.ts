@@ -2,6 +2,7 @@
 // What changes nothing returns the very same recipe, so the history adds no entry.
 
 import { produce } from 'immer';
+import { freeName } from './names';
 import type { ModelRef, Recipe, Step, StepOf, StepType } from './recipe';
 import { mainInput, namesOf, outputName, producedNames, referencesOf } from './references';
 
@@ -14,10 +15,7 @@ export function uniqueName(base: string, taken: Iterable<string>): string {
 }
 
 /** An id for a new step: its kind and the first number that is free. */
-export function freeId(kind: StepType, recipe: Recipe): string {
-  const taken = takenNames(recipe);
-  for (let number = 1; ; number++) if (!taken.includes(`${kind} ${number}`)) return `${kind} ${number}`;
-}
+export const freeId = (kind: StepType, recipe: Recipe): string => freeName(kind, takenNames(recipe));
 
 /** Names that a new model or step must not take. */
 export const takenNames = (recipe: Recipe): string[] => [

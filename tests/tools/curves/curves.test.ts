@@ -1,4 +1,5 @@
 import { expect, test, vi } from 'vitest';
+import type { Quaternion } from '../../../web/core/quaternion';
 import { type Curve, type CurvesStep, newCurvesStep } from '../../../web/recipe/steps/curves';
 import * as edits from '../../../web/tools/curves/edits';
 import { GuardedEdit } from '../../../web/tools/curves/guarded-edit';
@@ -49,7 +50,7 @@ test('a moved point moves alone; back at rest nothing is left of it', () => {
 });
 
 test('a turn at a joint moves what lies beyond it, seen from the end that stays', () => {
-  const quarter: edits.Turn = [0, 0, -Math.SQRT1_2, Math.SQRT1_2];
+  const quarter: Quaternion = [0, 0, -Math.SQRT1_2, Math.SQRT1_2];
   const turned = edits.turnFrom(STEP, { curve: 0, point: 1 }, quarter, 'start', SIZE).curves[0]!;
   expect(turned.posed![2]).toEqual([1, 1, 0]);
   expect(turned.posed![0]).toEqual([0, 0, 0]);
@@ -59,14 +60,14 @@ test('a turn at a joint moves what lies beyond it, seen from the end that stays'
 });
 
 test('a turn of the end that stays turns the whole curve, and says so', () => {
-  const quarter: edits.Turn = [0, 0, -Math.SQRT1_2, Math.SQRT1_2];
+  const quarter: Quaternion = [0, 0, -Math.SQRT1_2, Math.SQRT1_2];
   const { posed, base } = edits.turnFrom(STEP, { curve: 0, point: null }, quarter, 'start', SIZE).curves[0]!;
   expect(posed![2]).toEqual([2, 0, 0]);
   expect(base![2]).toBeCloseTo(-Math.SQRT1_2, 8);
 });
 
 test('a turn about the curve itself is twist', () => {
-  const half: edits.Turn = [0, Math.sin(Math.PI / 6), 0, Math.cos(Math.PI / 6)];
+  const half: Quaternion = [0, Math.sin(Math.PI / 6), 0, Math.cos(Math.PI / 6)];
   const { posed, twist } = edits.turnFrom(STEP, { curve: 0, point: 1 }, half, 'start', SIZE).curves[0]!;
   expect(posed).toBeUndefined();
   expect(twist).toEqual([0, 60, 60]);

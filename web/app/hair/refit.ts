@@ -1,5 +1,6 @@
 // A style on another head: its strokes move as the box around the scalp does.
 
+import { type Box, boxOf, coordinatesOf } from '../../core/box';
 import { roundTo } from '../../core/decimal';
 import type { Model } from '../../core/model';
 import type { HairStep } from '../../recipe/recipe';
@@ -15,14 +16,14 @@ interface Head {
 
 /** @param to  a head that brings a scalp; without one, or on the same head, strokes stay where they are */
 export function fitted(step: HairStep, from: Head, to: Model): HairStep {
-  const before = boxOf(from.model, from.scalp);
-  const after = boxOf(to, scalpOf({}, to));
+  const before = boxAround(from.model, from.scalp);
+  const after = boxAround(to, scalpOf({}, to));
   if (!before || !after) return step;
   const digits = places(tallness(to));
   const move = (point: readonly number[]): Point =>
     point.map((x, k) => {
-      const [low, high] = before[k]!;
-      const [newLow, newHigh] = after[k]!;
+      const [low, high] = [before.low[k]!, before.high[k]!];
+      const [newLow, newHigh] = [after.low[k]!, after.high[k]!];
       const scale = high > low ? (newHigh - newLow) / (high - low) : 1;
       return roundTo(newLow + (x - low) * scale, digits);
     }) as Point;
@@ -32,16 +33,5 @@ export function fitted(step: HairStep, from: Head, to: Model): HairStep {
   );
 }
 
-function boxOf({ positions }: Model, vertices: Uint32Array): [number, number][] | null {
-  if (vertices.length === 0) return null;
-  return [0, 1, 2].map((k) => {
-    let [low, high] = [Infinity, -Infinity];
-    for (const v of vertices) {
-      const x = positions[3 * v + k]!;
-      if (!Number.isFinite(x)) continue;
-      low = Math.min(low, x);
-      high = Math.max(high, x);
-    }
-    return [low, high];
-  });
-}
+const boxAround = ({ positions }: Model, vertices: Uint32Array): Box | null =>
+  vertices.length === 0 ? null : boxOf(coordinatesOf(positions, vertices));

@@ -1,5 +1,6 @@
 // A large model out of a small one: subdivided, and scales put on its skin. Made where it is wanted instead of shipped.
 
+import { boxOf, sizeOf } from '../box';
 import { LissomError } from '../errors';
 import type { Model } from '../model';
 import { cells } from './cells';
@@ -65,8 +66,10 @@ function* withScales(
   { positions, corners }: Surface,
   { size, height, below }: Scaling['scales'],
 ): Generator<number, Float64Array> {
-  const { low, high, diagonal } = boxOf(positions);
-  const edge = size * diagonal;
+  const box = boxOf(positions);
+  const { low, high } = box;
+  const [x, y, z] = sizeOf(box);
+  const edge = size * Math.sqrt(x * x + y * y + z * z); // not hypot, whose last bit is the engine's own
   const nearest = cells(low, high, edge);
   const normals = normalsOf({ positions, corners });
   const raised = positions.slice();
@@ -87,18 +90,6 @@ const smoothStep = (x: number): number => {
   const t = Math.min(1, Math.max(0, x));
   return t * t * (3 - 2 * t);
 };
-
-function boxOf(positions: Float64Array) {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let axis = 0; axis < 3; axis++)
-    for (let i = axis; i < positions.length; i += 3) {
-      low[axis] = Math.min(low[axis]!, positions[i]!);
-      high[axis] = Math.max(high[axis]!, positions[i]!);
-    }
-  const [x, y, z] = low.map((l, k) => high[k]! - l) as [number, number, number];
-  return { low, high, diagonal: Math.sqrt(x * x + y * y + z * z) };
-}
 
 /** Unit normals of the vertices: the mean of their triangles', by area. Zero where there is none. */
 function normalsOf({ positions, corners }: Surface): Float64Array {

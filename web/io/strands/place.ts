@@ -1,3 +1,4 @@
+import { boxOf, coordinatesOf, middleOf, sizeOf } from '../../core/box';
 import type { Model } from '../../core/model';
 import type { Strands } from '../../core/strands';
 import { likelyUnit } from './groom-file';
@@ -17,15 +18,14 @@ const WIDEST = 3;
  * @returns `null` where neither brings them to it
  */
 export function placedOn(head: Model, scalp: Uint32Array, strands: Strands): Strands | null {
-  const skin = boxOf(scalp, (v, k) => head.positions[3 * v + k]!);
+  const skin = spreadOf(coordinatesOf(head.positions, scalp));
   const size = Math.max(...skin.size);
   if (!(size > 0)) return null;
   const scale = 1 / (head.unitMetres ? 100 * head.unitMetres : likelyUnit(size));
   const zUp = head.upAxis === 'z';
   const ways = scale === 1 && !zUp ? [strands] : [strands, fromFileSpace(strands, scale, zUp)];
   const measured = ways.map((way) => {
-    const { offsets, points, origin } = way;
-    const roots = boxOf(offsets.subarray(0, -1), (p, k) => points[3 * p + k]! + origin[k]!);
+    const roots = spreadOf(rootsOf(way));
     const off = Math.hypot(...roots.centre.map((x, k) => x - skin.centre[k]!)) / size;
     const spread = Math.max(...roots.size) / size;
     return { way, fits: off <= FARTHEST && spread >= NARROWEST && spread <= WIDEST, off, spread };
@@ -45,18 +45,11 @@ function fromFileSpace(strands: Strands, scale: number, zUp: boolean): Strands {
   return { ...strands, points, origin: place(...strands.origin), look };
 }
 
-function boxOf(which: Uint32Array, at: (i: number, k: number) => number) {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (const i of which)
-    for (let k = 0; k < 3; k++) {
-      const x = at(i, k);
-      if (!Number.isFinite(x)) continue;
-      low[k] = Math.min(low[k]!, x);
-      high[k] = Math.max(high[k]!, x);
-    }
-  return {
-    centre: low.map((x, k) => (x + high[k]!) / 2),
-    size: low.map((x, k) => Math.max(0, high[k]! - x)),
-  };
+function* rootsOf({ offsets, points, origin }: Strands): Iterable<number> {
+  for (const p of offsets.subarray(0, -1)) for (let k = 0; k < 3; k++) yield points[3 * p + k]! + origin[k]!;
+}
+
+function spreadOf(coordinates: Iterable<number>) {
+  const box = boxOf(coordinates);
+  return { centre: middleOf(box), size: sizeOf(box).map((x) => Math.max(0, x)) };
 }

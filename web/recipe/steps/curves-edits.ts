@@ -1,5 +1,6 @@
 // Edits of one curves step as pure functions: a step in, another out. What changes nothing returns the very same step.
 
+import { freeName } from '../names';
 import type { Curve, CurvePosture, CurvesStep } from './curves';
 
 export type CurveLink = CurvesStep['links'][number];
@@ -9,11 +10,12 @@ type Point = Curve['rest'][number];
 export const curveById = ({ curves }: CurvesStep, id: string): Curve | undefined =>
   curves.find((curve) => curve.id === id);
 
-/** An id for a new curve: the first number that is free. */
-export function freeCurveId({ curves }: CurvesStep, base: string): string {
-  const taken = new Set(curves.map(({ id }) => id));
-  for (let number = 1; ; number++) if (!taken.has(`${base} ${number}`)) return `${base} ${number}`;
-}
+/** An id for a new curve. */
+export const freeCurveId = ({ curves }: CurvesStep, base: string): string =>
+  freeName(
+    base,
+    curves.map(({ id }) => id),
+  );
 
 export const addCurve = (step: CurvesStep, curve: Curve): CurvesStep => ({
   ...step,

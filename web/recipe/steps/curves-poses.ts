@@ -1,5 +1,6 @@
 // Poses that a curves step keeps, and what lies between two of them.
 
+import { freeName } from '../names';
 import type { Curve, CurvePosture, CurvesStep } from './curves';
 import { type CurvePose, curveById, isPosed, postureOf, updateCurve } from './curves-edits';
 
@@ -122,10 +123,11 @@ function turned(a: Quaternion, b: Quaternion, t: number): Quaternion {
 }
 
 /** A name that no pose has yet. */
-export function freePoseName({ poses }: CurvesStep, base: string): string {
-  const taken = new Set(poses.map(({ name }) => name));
-  for (let number = 1; ; number++) if (!taken.has(`${base} ${number}`)) return `${base} ${number}`;
-}
+export const freePoseName = ({ poses }: CurvesStep, base: string): string =>
+  freeName(
+    base,
+    poses.map(({ name }) => name),
+  );
 
 /** Whether the curves stand as the pose has them. */
 export const standsIn = (step: CurvesStep, pose: CurvePose): boolean =>

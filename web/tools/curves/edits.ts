@@ -1,6 +1,7 @@
 // What gestures make of a curves step, pure.
 
 import { roundTo } from '../../core/decimal';
+import { product, type Quaternion, rotated } from '../../core/quaternion';
 import type { Curve, CurvesStep } from '../../recipe/steps/curves';
 import {
   addCurve,
@@ -14,13 +15,13 @@ import {
   updateCurve,
 } from '../../recipe/steps/curves-edits';
 import type { Vec3 } from '../../view/types';
-import { add, cross, dot, gap, scaled, subtract } from '../geometry';
+import { add, dot, gap, subtract } from '../geometry';
 import { placesFor } from '../stroke/polyline';
 import type { Grip } from './items';
 import { splineAt, tangentAt } from './spline';
 
 type Point = Curve['rest'][number];
-type Quaternion = NonNullable<Curve['base']>;
+type Base = NonNullable<Curve['base']>;
 
 /** Recipes keep few digits; a thousandth of the usual step of strokes cannot be seen, and drags stay smooth. */
 export const kept = (point: Vec3, size: number): Point =>
@@ -54,24 +55,8 @@ export function moveCurve(step: CurvesStep, at: number, by: Vec3, size: number):
   return withPoints(step, curve, points, size);
 }
 
-/** A turn as axis times sine of the half angle, and its cosine: (x, y, z, w). */
-export type Turn = readonly [number, number, number, number];
-
-export function rotate([x, y, z, w]: Turn, v: Vec3): Vec3 {
-  const u: Vec3 = [x, y, z];
-  const t = scaled(cross(u, v), 2);
-  return add(v, add(scaled(t, w), cross(u, t)));
-}
-
-const times = ([ax, ay, az, aw]: Turn, [bx, by, bz, bw]: Turn): Turn => [
-  aw * bx + ax * bw + ay * bz - az * by,
-  aw * by - ax * bz + ay * bw + az * bx,
-  aw * bz + ax * by - ay * bx + az * bw,
-  aw * bw - ax * bx - ay * by - az * bz,
-];
-
 /** How far a turn goes about an axis, degrees (the twist of its swing-twist parts). */
-export function aboutAxis([x, y, z, w]: Turn, axis: Vec3): number {
+export function aboutAxis([x, y, z, w]: Quaternion, axis: Vec3): number {
   const degrees = (360 / Math.PI) * Math.atan2(dot([x, y, z], axis), w);
   return degrees > 180 ? degrees - 360 : degrees < -180 ? degrees + 360 : degrees;
 }
@@ -83,7 +68,7 @@ export function aboutAxis([x, y, z, w]: Turn, axis: Vec3): number {
 export function turnFrom(
   step: CurvesStep,
   { curve: at, point }: Grip,
-  turn: Turn,
+  turn: Quaternion,
   anchor: 'start' | 'end',
   size: number,
 ): CurvesStep {
@@ -94,10 +79,10 @@ export function turnFrom(
   const from = point ?? (anchor === 'start' ? 0 : last);
   const follows = (i: number): boolean => (anchor === 'start' ? i > from : i < from);
   const pivot = points[from]!;
-  const moved = points.map((p, i): Vec3 => (follows(i) ? add(pivot, rotate(turn, subtract(p, pivot))) : p));
+  const moved = points.map((p, i): Vec3 => (follows(i) ? add(pivot, rotated(turn, subtract(p, pivot))) : p));
   const turned = withPoints(step, curve, moved, size);
   if (from === (anchor === 'start' ? 0 : last)) {
-    const base = times(turn, curve.base ?? [0, 0, 0, 1]).map((x) => roundTo(x, 9)) as Quaternion;
+    const base = product(turn, curve.base ?? [0, 0, 0, 1]).map((x) => roundTo(x, 9)) as Base;
     return updateCurve(turned, curve.id, { base });
   }
   const by = aboutAxis(turn, tangentAt(points, from));
@@ -238,7 +223,7 @@ export function mirrorCurve(step: CurvesStep, at: number, name: string): CurvesS
     id,
     rest: curve.rest.map((point) => across(point) as Point),
     ...(curve.posed && { posed: curve.posed.map((point) => across(point) as Point) }),
-    ...(curve.base && { base: [curve.base[0], -curve.base[1], -curve.base[2], curve.base[3]] as Quaternion }),
+    ...(curve.base && { base: [curve.base[0], -curve.base[1], -curve.base[2], curve.base[3]] as Base }),
     ...(curve.twist && { twist: curve.twist.map((x) => (x === 0 ? 0 : -x)) }),
   };
   const link = linkOf(step, curve.id);

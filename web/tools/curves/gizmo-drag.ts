@@ -1,3 +1,4 @@
+import { type Quaternion, quaternionOf } from '../../core/quaternion';
 import { pointsOf } from '../../recipe/steps/curves-edits';
 import type { GizmoEvents, Vec3 } from '../../view/types';
 import {
@@ -11,7 +12,7 @@ import {
   rotationOf,
   transform,
 } from '../geometry';
-import { aboutAxis, moveCurve, movePoint, setScale, type Turn, turnFrom, twistBy } from './edits';
+import { aboutAxis, moveCurve, movePoint, setScale, turnFrom, twistBy } from './edits';
 import { GuardedEdit } from './guarded-edit';
 import type { CurvesHost, CurvesLabel, CurvesScene } from './host';
 import type { Grip } from './items';
@@ -108,26 +109,9 @@ export class CurveGizmoDrag implements GizmoEvents {
   };
 }
 
-/** The rotation of an affine map as a quaternion (x, y, z, w). */
-function turnOf(m: Mat4): Turn {
+function turnOf(m: Mat4): Quaternion {
   const r = rotationOf(m);
-  const at = (row: number, column: number): number => r[4 * column + row]!;
-  const trace = at(0, 0) + at(1, 1) + at(2, 2);
-  const q: [number, number, number, number] = [
-    at(2, 1) - at(1, 2),
-    at(0, 2) - at(2, 0),
-    at(1, 0) - at(0, 1),
-    1 + trace,
-  ];
-  const length = Math.hypot(...q);
-  // Half a turn: the axis is the column of r + 1 that is longest.
-  if (length < 1e-6) {
-    const columns = [0, 1, 2].map((c) => [0, 1, 2].map((row) => at(row, c) + Number(row === c)));
-    const best = columns.toSorted((a, b) => Math.hypot(...b) - Math.hypot(...a))[0]!;
-    const size = Math.hypot(...best);
-    return [best[0]! / size, best[1]! / size, best[2]! / size, 0];
-  }
-  return q.map((x) => x / length) as unknown as Turn;
+  return quaternionOf((row, column) => r[4 * column + row]!);
 }
 
 const sizesOf = (m: Mat4): number[] =>

@@ -1,5 +1,6 @@
 // A step's curves as joints, for programs that know skins but not curves.
 
+import { product, type Quaternion, quaternionOf, rotated, unitQuaternion } from '../../../core/quaternion';
 import { JOINT, type Skin } from '../../../core/skin';
 import type { CurveAttributes } from '../../../kernel/contract/curve';
 import type { CurvePosture, CurvesStep } from '../../../recipe/steps/curves';
@@ -54,7 +55,7 @@ function placed(texels: Float32Array | undefined, { frames, centre }: CurveAttri
       const row = ROWS * c + rowOf(j);
       const frame = frames.subarray(FRAME * row, FRAME * (row + 1));
       const at = JOINT * (1 + JOINTS * c + j);
-      const resting = quaternionOf(frame.subarray(3));
+      const resting = turnOf(frame.subarray(3));
       if (texels) joints.set(moved(frame, resting, texels.subarray(ROW * row, ROW * (row + 1)), centre), at);
       else joints.set([frame[0]!, frame[1]!, frame[2]!, ...resting, 1, 1, 1], at);
     }
@@ -64,18 +65,18 @@ function placed(texels: Float32Array | undefined, { frames, centre }: CurveAttri
 /** A rest frame as a row of the table moves it: stretched along its own axes, then turned and shifted. */
 function moved(
   frame: Float64Array,
-  resting: readonly number[],
+  resting: Quaternion,
   texel: Float32Array,
   centre: readonly number[],
 ): number[] {
-  const real = unit([...texel.subarray(0, 4)]);
+  const real = unitQuaternion([...texel.subarray(0, 4)] as unknown as Quaternion);
   const length = Math.hypot(...texel.subarray(0, 4));
   const dual = [...texel.subarray(4, 8)].map((x) => x / length);
   const line = (k: number) => texel.subarray(8 + 4 * k, 12 + 4 * k);
   const origin = [0, 1, 2].map((k) => frame[k]! - centre[k]!);
-  const stretched = [0, 1, 2].map((k) => dot(line(k), origin) + line(k)[3]!);
+  const along = (k: number) => dot(line(k), origin) + line(k)[3]!;
   const carried = cross(real, dual);
-  const place = rotated(real, stretched).map(
+  const place = rotated(real, [along(0), along(1), along(2)]).map(
     (x, k) => x + 2 * (real[3]! * dual[k]! - dual[3]! * real[k]! + carried[k]!) + centre[k]!,
   );
   const scale = [0, 1, 2].map((axis) => {
@@ -85,7 +86,7 @@ function moved(
       [0, 1, 2].map((k) => dot(line(k), a)),
     );
   });
-  return [...place, ...unit(product(real, resting)), ...scale];
+  return [...place, ...unitQuaternion(product(real, resting)), ...scale];
 }
 
 /** The two joints beside each of a vertex's places, the four that count most. */
@@ -132,22 +133,8 @@ function alike(joints: Float64Array, before: Float64Array | undefined): void {
   }
 }
 
-/** Of right-handed axes, one after the other (Shepperd 1978: from the largest of its four). */
-function quaternionOf(axes: Float64Array): number[] {
-  const m = (row: number, column: number) => axes[3 * column + row]!;
-  const trace = m(0, 0) + m(1, 1) + m(2, 2);
-  const largest = [m(0, 0), m(1, 1), m(2, 2), trace].reduce(
-    (best, x, k, all) => (x > all[best]! ? k : best),
-    0,
-  );
-  if (largest === 3) return unit([m(2, 1) - m(1, 2), m(0, 2) - m(2, 0), m(1, 0) - m(0, 1), 1 + trace]);
-  const [i, j, k] = [largest, (largest + 1) % 3, (largest + 2) % 3];
-  const q = [0, 0, 0, m(k, j) - m(j, k)];
-  q[i] = 1 - trace + 2 * m(i, i);
-  q[j] = m(j, i) + m(i, j);
-  q[k] = m(k, i) + m(i, k);
-  return unit(q);
-}
+/** Of right-handed axes, one after the other. */
+const turnOf = (axes: Float64Array): Quaternion => quaternionOf((row, column) => axes[3 * column + row]!);
 
 const dot = (a: ArrayLike<number>, b: readonly number[] | Float64Array): number => {
   let sum = 0;
@@ -160,21 +147,3 @@ const cross = (a: readonly number[], b: readonly number[]): number[] => [
   a[2]! * b[0]! - a[0]! * b[2]!,
   a[0]! * b[1]! - a[1]! * b[0]!,
 ];
-
-function rotated(q: readonly number[], x: readonly number[]): number[] {
-  const turned = cross(
-    q,
-    cross(q, x).map((c, k) => c + q[3]! * x[k]!),
-  );
-  return x.map((c, k) => c + 2 * turned[k]!);
-}
-
-const product = (a: readonly number[], b: readonly number[]): number[] => [
-  ...cross(a, b).map((c, k) => c + a[3]! * b[k]! + b[3]! * a[k]!),
-  a[3]! * b[3]! - a[0]! * b[0]! - a[1]! * b[1]! - a[2]! * b[2]!,
-];
-
-function unit(q: readonly number[]): number[] {
-  const length = Math.hypot(...q);
-  return q.map((x) => x / length);
-}

@@ -1,6 +1,7 @@
 // Where the strokes of a hair step may lie. They are sampled at the size of the head's grid, so one that led to the moon
 // would take all memory and all time.
 
+import { boxOf, middleOf, sizeOf } from '../../../core/box';
 import { LissomError } from '../../../core/errors';
 import type { Model } from '../../../core/model';
 import { MAX_COORDINATE } from '../../../recipe/limits';
@@ -16,7 +17,10 @@ type Points = HairStep['streams'][number]['points'];
 
 /** @throws LissomError `stroke-too-far`; `head-too-large` for hair that single precision could not hold */
 export function checkReach({ streams, partings, ponytails }: HairStep, head: Model): void {
-  const { middle, diagonal } = boxOf(head.positions);
+  // Without a finite vertex, which the kernel refuses by itself, there is no box to measure by.
+  const box = boxOf(head.positions);
+  const middle = middleOf(box);
+  const diagonal = Math.hypot(...sizeOf(box));
   if (diagonal > MAX_COORDINATE)
     throw new LissomError(
       'head-too-large',
@@ -40,20 +44,6 @@ export function checkReach({ streams, partings, ponytails }: HairStep, head: Mod
     check(section, `ponytails[${k}].section`);
     for (const [p, profile] of profiles.entries()) check(profile, `ponytails[${k}].profiles[${p}]`);
   }
-}
-
-/** Without a finite vertex, which the kernel refuses by itself, there is no box to measure by. */
-function boxOf(positions: Float64Array): { readonly middle: readonly number[]; readonly diagonal: number } {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < positions.length; i++) {
-    const x = positions[i]!;
-    if (!Number.isFinite(x)) continue;
-    low[i % 3] = Math.min(low[i % 3]!, x);
-    high[i % 3] = Math.max(high[i % 3]!, x);
-  }
-  const middle = low.map((x, k) => (x + high[k]!) / 2);
-  return { middle, diagonal: Math.hypot(...low.map((x, k) => high[k]! - x)) };
 }
 
 const distance = (a: readonly number[], b: readonly number[]): number =>
