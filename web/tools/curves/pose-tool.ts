@@ -1,44 +1,24 @@
 import { pointsOf } from '../../recipe/steps/curves-edits';
 import type { PointerSample, Vec3 } from '../../view/types';
+import { type Drag, DragTool } from '../drag-tool';
 import { IDENTITY, invert, subtract, transform } from '../geometry';
-import { clickSlop, distance, type Tool } from '../tool';
+import { clickSlop, distance } from '../tool';
 import { jointOf, moveCurve, movePoint, withPoints } from './edits';
 import { GuardedEdit } from './guarded-edit';
 import type { CurvesHost, CurvesScene } from './host';
 import type { Grip } from './items';
 
 /** Click selects a curve or a control point, drag moves it in the plane of the screen; elsewhere the camera turns. */
-export class PoseTool implements Tool {
-  #drag: PointDrag | null = null;
+export class PoseTool extends DragTool {
+  constructor(private readonly host: CurvesHost) {
+    super();
+  }
 
-  constructor(private readonly host: CurvesHost) {}
-
-  down(sample: PointerSample): boolean {
+  protected override take(sample: PointerSample): PointDrag | null {
     const scene = this.host.scene();
-    if (!scene || sample.button !== 0) return false;
+    if (!scene || sample.button !== 0) return null;
     const grip = gripAt(this.host, scene, sample);
-    if (!grip) return false;
-    this.#drag = new PointDrag(this.host, scene, grip, sample);
-    return true;
-  }
-
-  move(samples: readonly PointerSample[]): void {
-    this.#drag?.move(samples);
-  }
-
-  up(sample: PointerSample): void {
-    const drag = this.#drag;
-    this.#drag = null;
-    drag?.finish(sample);
-  }
-
-  hover(): void {}
-
-  leave(): void {}
-
-  cancel(): void {
-    this.#drag?.cancel();
-    this.#drag = null;
+    return grip && new PointDrag(this.host, scene, grip, sample);
   }
 }
 
@@ -51,7 +31,7 @@ export function gripAt(host: CurvesHost, { step }: CurvesScene, { x, y }: Pointe
 }
 
 /** One grab, from press to release. */
-class PointDrag {
+class PointDrag implements Drag {
   readonly #edit: GuardedEdit;
   readonly #grip: Grip;
   readonly #held: Vec3;

@@ -1,12 +1,13 @@
 import type { DeformHandle, DeformStep } from '../../recipe/recipe';
 import type { PointerSample, Vec3 } from '../../view/types';
+import type { Drag } from '../drag-tool';
 import { subtract } from '../geometry';
 import { clickSlop, distance } from '../tool';
 import { shiftHandle, withHandle } from './edits';
 import type { DeformHost, EditLabel } from './host';
 
 /** One grab of a handle, from press to release: it follows the pointer in the plane of the screen. */
-export class HandleDrag {
+export class HandleDrag implements Drag {
   #moved = false;
   #latest: DeformStep;
 

@@ -1,54 +1,35 @@
 import type { PointerSample, Vec3 } from '../../view/types';
+import { DragTool } from '../drag-tool';
 import { pointAt } from '../geometry';
-import type { Tool } from '../tool';
 import { addPoint, handleAt } from './edits';
 import { HandleDrag } from './handle-drag';
 import { type DeformHost, type DeformScene, handleOfMarker } from './host';
 
 /** Click selects a handle, drag moves it, Shift+click places a point handle; elsewhere the camera turns. */
-export class SelectTool implements Tool {
-  #drag: HandleDrag | null = null;
+export class SelectTool extends DragTool {
+  constructor(private readonly host: DeformHost) {
+    super();
+  }
 
-  constructor(private readonly host: DeformHost) {}
-
-  down(sample: PointerSample): boolean {
+  protected override take(sample: PointerSample): HandleDrag | null {
     const scene = this.host.scene();
-    if (!scene || sample.button !== 0) return false;
+    if (!scene || sample.button !== 0) return null;
     const grabbed = grab(this.host, scene, sample);
-    if (grabbed) {
-      const { index, grip } = grabbed;
-      this.#drag = new HandleDrag(this.host, scene.step, index, sample, grip, 'move-handle', () =>
-        this.host.select(index),
-      );
-      return true;
-    }
-    if (!sample.shift || !sample.hit) return false;
-    this.#drag = placePoint(this.host, scene, sample, sample.hit.vertex);
-    return true;
-  }
-
-  move(samples: readonly PointerSample[]): void {
-    this.#drag?.move(samples);
-  }
-
-  up(sample: PointerSample): void {
-    const drag = this.#drag;
-    this.#drag = null;
-    drag?.finish(sample);
-  }
-
-  hover(): void {}
-
-  leave(): void {}
-
-  cancel(): void {
-    this.#drag?.cancel();
-    this.#drag = null;
+    if (grabbed) return grabbed;
+    return sample.shift && sample.hit ? placePoint(this.host, scene, sample, sample.hit.vertex) : null;
   }
 }
 
+/** A press on a handle: dragged on it moves, else it is selected. */
+export function grab(host: DeformHost, scene: DeformScene, sample: PointerSample): HandleDrag | null {
+  const held = handleUnder(host, scene, sample);
+  if (!held) return null;
+  const { index, grip } = held;
+  return new HandleDrag(host, scene.step, index, sample, grip, 'move-handle', () => host.select(index));
+}
+
 /** The handle under the pointer and the point of it that is held. */
-export function grab(
+function handleUnder(
   host: DeformHost,
   scene: DeformScene,
   sample: PointerSample,
