@@ -4,6 +4,7 @@ import { cancelled, LissomError } from '../core/errors';
 import type { Model } from '../core/model';
 import { type BuiltIn, builtInAtOnce, builtInModel } from '../io/built-in';
 import type { ReadResult } from '../io/reading';
+import { type AsideWorker, askAside } from './ask-aside';
 
 /** What the worker is given. */
 export interface MakingOrder {
@@ -17,13 +18,7 @@ export type MakingReply =
   | { readonly made: ReadResult }
   | { readonly failed: Pick<LissomError, 'code' | 'message' | 'fault'> };
 
-/** What a Worker and a test's stand-in have in common. */
-export interface MakingWorker {
-  postMessage(order: MakingOrder): void;
-  terminate(): void;
-  onmessage: ((event: MessageEvent<MakingReply>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-}
+export type MakingWorker = AsideWorker<MakingOrder, MakingReply>;
 
 export interface MakingOptions {
   readonly signal: AbortSignal;
@@ -41,10 +36,24 @@ const startWorker = (): MakingWorker =>
  */
 export async function madeAside(
   order: MakingOrder,
-  options: MakingOptions,
+  { signal, onProgress }: MakingOptions,
   start: () => MakingWorker = startWorker,
 ): Promise<ReadResult> {
-  const made = await answerOf(order, options, start);
+  if (signal.aborted) throw cancelled();
+  const made = await askAside(start, order, {
+    hear: (reply: MakingReply) => {
+      if ('made' in reply) return reply.made;
+      if ('failed' in reply)
+        throw new LissomError(reply.failed.code, reply.failed.message, reply.failed.fault);
+      onProgress(reply.progress);
+      return undefined;
+    },
+    watch: (giveUp) => {
+      const stop = () => giveUp(cancelled());
+      signal.addEventListener('abort', stop);
+      return () => signal.removeEventListener('abort', stop);
+    },
+  });
   return made ?? builtInAtOnce(order.entry, order.bytes);
 }
 
@@ -70,40 +79,3 @@ export function make(
 const buffersOf = ({ positions, faceOffsets, faceVertices }: Model): Transferable[] => [
   ...new Set([positions, faceOffsets, faceVertices].map(({ buffer }) => buffer as ArrayBuffer)),
 ];
-
-/** @returns `null` where no worker could be started */
-function answerOf(
-  order: MakingOrder,
-  { signal, onProgress }: MakingOptions,
-  start: () => MakingWorker,
-): Promise<ReadResult | null> {
-  if (signal.aborted) return Promise.reject(cancelled());
-  let worker: MakingWorker;
-  try {
-    worker = start();
-  } catch {
-    return Promise.resolve(null);
-  }
-  return new Promise<ReadResult | null>((resolve, reject) => {
-    const end = (settle: () => void) => {
-      signal.removeEventListener('abort', stop);
-      worker.terminate();
-      settle();
-    };
-    const stop = () => end(() => reject(cancelled()));
-    signal.addEventListener('abort', stop);
-    worker.onmessage = ({ data }) => {
-      if ('progress' in data) onProgress(data.progress);
-      else if ('made' in data) end(() => resolve(data.made));
-      else {
-        const { code, message, fault } = data.failed;
-        end(() => reject(new LissomError(code, message, fault)));
-      }
-    };
-    worker.onerror = (event) => {
-      event.preventDefault();
-      end(() => resolve(null));
-    };
-    worker.postMessage(order);
-  });
-}

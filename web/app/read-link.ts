@@ -4,6 +4,7 @@ import { type Fault, LissomError } from '../core/errors';
 import { linkTooSlow } from '../recipe/link/errors';
 import { decodeLink } from '../recipe/link/link';
 import type { Recipe } from '../recipe/recipe';
+import { type AsideWorker, askAside } from './ask-aside';
 
 /** How long a link may take, in seconds; the largest that can be made takes a tenth of it on a phone. */
 const DEADLINE = 5;
@@ -12,13 +13,7 @@ export type LinkAnswer =
   | { readonly recipe: Recipe }
   | { readonly code: string; readonly message: string; readonly fault: Fault };
 
-/** What a Worker and a test's stand-in have in common. */
-export interface LinkWorker {
-  postMessage(link: string): void;
-  terminate(): void;
-  onmessage: ((event: MessageEvent<LinkAnswer>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-}
+export type LinkWorker = AsideWorker<string, LinkAnswer>;
 
 const startWorker = (): LinkWorker =>
   new Worker(new URL('./link-worker.ts', import.meta.url), { type: 'module' }) as unknown as LinkWorker;
@@ -30,7 +25,13 @@ const startWorker = (): LinkWorker =>
  * @throws LissomError  what `decodeLink` says; `link-too-slow`
  */
 export async function readLink(link: string, start: () => LinkWorker = startWorker): Promise<Recipe> {
-  const answer = await answerOf(link, start);
+  const answer = await askAside(start, link, {
+    hear: (heard: LinkAnswer) => heard,
+    watch: (giveUp) => {
+      const late = setTimeout(() => giveUp(linkTooSlow(DEADLINE)), 1000 * DEADLINE);
+      return () => clearTimeout(late);
+    },
+  });
   if (answer === null) return decodeLink(link);
   if ('recipe' in answer) return answer.recipe;
   throw new LissomError(answer.code, answer.message, answer.fault);
@@ -44,28 +45,4 @@ export function answerLink(link: string): LinkAnswer {
     if (error instanceof LissomError) return { code: error.code, message: error.message, fault: error.fault };
     throw error;
   }
-}
-
-/** @returns `null` where no worker could be started */
-function answerOf(link: string, start: () => LinkWorker): Promise<LinkAnswer | null> {
-  let worker: LinkWorker;
-  try {
-    worker = start();
-  } catch {
-    return Promise.resolve(null);
-  }
-  return new Promise<LinkAnswer | null>((resolve, reject) => {
-    const late = setTimeout(() => end(() => reject(linkTooSlow(DEADLINE))), 1000 * DEADLINE);
-    const end = (settle: () => void) => {
-      clearTimeout(late);
-      worker.terminate();
-      settle();
-    };
-    worker.onmessage = ({ data }) => end(() => resolve(data));
-    worker.onerror = (event) => {
-      event.preventDefault();
-      end(() => resolve(null));
-    };
-    worker.postMessage(link);
-  });
 }
