@@ -187,13 +187,11 @@ export class Autosave implements AutosaveService {
     const known = await this.#kept.document(id);
     if (!known) return;
     const isMine = await this.parts.claims.claim(id);
-    const stored = isMine ? await this.#kept.newest(known) : known;
-    const opened = await this.#kept.read(stored).catch((error: unknown) => {
-      if (isMine) this.parts.claims.release(id);
-      throw error;
-    });
+    const work = isMine
+      ? await this.#claimed(known)
+      : { stored: known, opened: await this.#kept.read(known) };
     if (await this.setAside()) this.parts.messages.toast('info', t('toast.kept'));
-    await this.#lay(stored, opened);
+    await this.#lay(work.stored, work.opened);
   }
 
   /**
@@ -210,9 +208,8 @@ export class Autosave implements AutosaveService {
       const patience = candidate === mine && this.parts.isReload ? PATIENCE : 0;
       if (!(await this.parts.claims.claim(candidate.id, patience))) continue;
       try {
-        const stored = await this.#kept.newest(candidate);
-        if (stored.id !== candidate.id) this.parts.claims.release(candidate.id);
-        await this.#lay(stored, await this.#kept.read(stored));
+        const { stored, opened } = await this.#claimed(candidate);
+        await this.#lay(stored, opened);
         return true;
       } catch (error) {
         this.parts.claims.release(candidate.id);
@@ -359,6 +356,21 @@ export class Autosave implements AutosaveService {
   }
 
   readonly #isNew = ({ hash }: { readonly hash: string }): boolean => !this.#files.has(hash);
+
+  /** What a document holds by now that this tab has claimed; let go of again where nothing can be read, or a copy goes on. */
+  async #claimed(
+    known: StoredDocument,
+  ): Promise<{ readonly stored: StoredDocument; readonly opened: Opened }> {
+    const { claims } = this.parts;
+    try {
+      const stored = await this.#kept.newest(known);
+      if (stored.id !== known.id) claims.release(known.id);
+      return { stored, opened: await this.#kept.read(stored) };
+    } catch (error) {
+      claims.release(known.id);
+      throw error;
+    }
+  }
 
   /** Goes on with a stored document under its own name, or under a new one while another tab has it. */
   async #lay(stored: StoredDocument, { entries, index, missing, isSilent, lost }: Opened): Promise<void> {

@@ -1,20 +1,12 @@
-import { replaceStep, stepOf } from '../../recipe/edit';
+import { replaceStep } from '../../recipe/edit';
 import type { CurvesStep } from '../../recipe/recipe';
 import { type Grip, itemOf } from '../../tools/curves/items';
 import type { Document } from '../document';
-import { LiveEdit } from '../live-edit';
+import { StepEdits } from '../step-edits';
 
-/** What all edits of the open curves step have in common: one step of undo each, or a preview that is finished later. */
-export class CurvesEdits {
-  readonly #live: LiveEdit;
-
-  constructor(private readonly document: Document) {
-    this.#live = new LiveEdit(document);
-  }
-
-  /** The committed open step while it is one of curves. */
-  get step(): CurvesStep | undefined {
-    return stepOf(this.document.recipe, this.document.selection.step, 'curves');
+export class CurvesEdits extends StepEdits<'curves'> {
+  constructor(document: Document) {
+    super(document, 'curves');
   }
 
   /** @param grip  selected afterwards; as before when left out */
@@ -24,15 +16,7 @@ export class CurvesEdits {
   }
 
   preview(label: string, step: CurvesStep, grip?: Grip | null): void {
-    this.#live.preview(label, replaceStep(this.document.recipe, step), this.#selecting(step, grip));
-  }
-
-  finish(): void {
-    this.#live.finish();
-  }
-
-  cancel(): void {
-    this.#live.cancel();
+    this.live.preview(label, replaceStep(this.document.recipe, step), this.#selecting(step, grip));
   }
 
   #selecting(step: CurvesStep, grip: Grip | null | undefined) {

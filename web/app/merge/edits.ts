@@ -1,33 +1,17 @@
-import { replaceStep, stepOf } from '../../recipe/edit';
+import { replaceStep } from '../../recipe/edit';
 import type { MergeStep } from '../../recipe/recipe';
 import type { Document } from '../document';
-import { LiveEdit } from '../live-edit';
+import { StepEdits } from '../step-edits';
 
-/** What all edits of the open merge step have in common: one step of undo each, or a preview that is finished later. */
-export class MergeEdits {
-  readonly #live: LiveEdit;
-
-  constructor(private readonly document: Document) {
-    this.#live = new LiveEdit(document);
-  }
-
-  /** The committed open step while it is one that merges. */
-  get step(): MergeStep | undefined {
-    return stepOf(this.document.recipe, this.document.selection.step, 'merge');
-  }
-
-  finish(): void {
-    this.#live.finish();
-  }
-
-  cancel(): void {
-    this.#live.cancel();
+export class MergeEdits extends StepEdits<'merge'> {
+  constructor(document: Document) {
+    super(document, 'merge');
   }
 
   /** `live` previews (slider held), then `finish`. */
   set(label: string, step: MergeStep, live: boolean, merge: string): void {
     const { document } = this;
-    if (live) this.#live.preview(label, replaceStep(document.recipe, step), document.selection);
+    if (live) this.live.preview(label, replaceStep(document.recipe, step), document.selection);
     else this.commit(label, step, document.selection.item, `merge:${merge}`);
   }
 
