@@ -27,12 +27,12 @@ export function prepareCurves(step: CurvesStep, context: StepContext) {
   return context.kernel.hold(
     'prepareCurves',
     hashValue(held),
-    {
+    () => ({
       model: input.opened.id,
       curves: step.curves.map((curve) => specOf(curve, vertexCount(input.model))),
       links: linksOf(step),
       options: step.options,
-    },
+    }),
     { ...signalOf(context), onProgress: (fraction) => context.onProgress(0.9 * fraction) },
   );
 }
