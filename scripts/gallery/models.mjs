@@ -1,8 +1,7 @@
 // The gallery's models for the scripts that pick vertices on them.
 
 import { readFileSync } from 'node:fs';
-import { createServer } from 'vite';
-import { root } from '../lib/system.mjs';
+import { openSources } from '../lib/sources.mjs';
 import { readPly } from './ply.mjs';
 
 /** public/gallery/ */
@@ -33,14 +32,7 @@ function made(name) {
 
 /** What makes them in the app, which is written in TypeScript. */
 async function maker() {
-  const server = await createServer({
-    root,
-    configFile: false,
-    logLevel: 'error',
-    server: { middlewareMode: true, hmr: false, ws: false, watch: null },
-    optimizeDeps: { noDiscovery: true },
-    appType: 'custom',
-  });
+  const server = await openSources();
   const { builtInAtOnce } = await server.ssrLoadModule('/web/io/built-in.ts');
   await server.close();
   return (name, bytes) => builtInAtOnce({ name, ...MADE[name] }, bytes).model;

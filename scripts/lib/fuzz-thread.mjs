@@ -2,19 +2,11 @@
 // who watches can see, should an input never end.
 
 import { parentPort, workerData } from 'node:worker_threads';
-import { createServer } from 'vite';
-import { root } from './system.mjs';
+import { openSources } from './sources.mjs';
 
 const { seed, kinds: wanted, from, end, place } = workerData;
 
-const server = await createServer({
-  root,
-  configFile: false,
-  logLevel: 'error',
-  server: { middlewareMode: true, hmr: false, ws: false, watch: null },
-  optimizeDeps: { noDiscovery: true },
-  appType: 'custom',
-});
+const server = await openSources();
 const { Fuzzing, generators } = await server.ssrLoadModule('/tests/fuzz/fuzz.ts');
 const { Random } = await server.ssrLoadModule('/tests/fuzz/random.ts');
 const chosen = generators.filter(({ kind }) => wanted === undefined || wanted.includes(kind));

@@ -4,6 +4,11 @@ import { NumberField, SliderField, VectorField } from '../controls/fields';
 import { Section } from '../controls/section';
 import { useCurves } from './use-curves';
 
+const WIDTHS = [
+  { label: 'ui.curves.point.scale.wide', axis: 'X' },
+  { label: 'ui.curves.point.scale.deep', axis: 'Y' },
+] as const;
+
 /** The selected control point in numbers. */
 export function PointPanel() {
   const { state: own, actions: curves } = useCurves();
@@ -11,7 +16,7 @@ export function PointPanel() {
   const curve = curves.curve();
   if (!curve || grip?.point == null) return null;
   const { point } = grip;
-  const [wide, deep] = curve.scale?.[point] ?? [1, 1];
+  const widths = curve.scale?.[point] ?? [1, 1];
   const done = () => curves.edits.finish();
   return (
     <Section title={t('ui.curves.point', { number: point + 1 })}>
@@ -35,26 +40,19 @@ export function PointPanel() {
       <div class="field">
         <span class="label">{t('ui.curves.point.scale')}</span>
         <span class="vector">
-          <NumberField
-            label={t('ui.curves.point.scale.wide')}
-            axis="X"
-            value={wide}
-            min={0.05}
-            max={20}
-            step={0.05}
-            onChange={(x) => curves.setScale(grip, [x, deep])}
-            onCommit={done}
-          />
-          <NumberField
-            label={t('ui.curves.point.scale.deep')}
-            axis="Y"
-            value={deep}
-            min={0.05}
-            max={20}
-            step={0.05}
-            onChange={(y) => curves.setScale(grip, [wide, y])}
-            onCommit={done}
-          />
+          {WIDTHS.map(({ label, axis }, side) => (
+            <NumberField
+              key={axis}
+              label={t(label)}
+              axis={axis}
+              value={widths[side]!}
+              min={0.05}
+              max={20}
+              step={0.05}
+              onChange={(x) => curves.setScale(grip, side === 0 ? [x, widths[1]] : [widths[0], x])}
+              onCommit={done}
+            />
+          ))}
         </span>
       </div>
     </Section>
