@@ -137,6 +137,17 @@ TEST_CASE("a child takes over what its parent does, and its own pose comes on to
     CHECK_FALSE(made.parent_motions(postures)[2].isApprox(motions[2]));
 }
 
+TEST_CASE("limbs that share a model have regions apart, each along its own curve") {
+    const TriangleMesh mesh = bar(8);
+    const CurveSession made = session(mesh, {{.rest = line({0, 0.5, 0}, {0, 5, 0}, 3)}, {.rest = line({0, 5, 0}, {0, 9.5, 0}, 3)}}, {{1, 0, 1}});
+    std::vector<int> taken(static_cast<std::size_t>(mesh.vertex_count()), 0);
+    for (int c = 0; c < made.curve_count(); ++c) {
+        CHECK_FALSE(made.region(c).empty());
+        for (const int v : made.region(c)) ++taken[static_cast<std::size_t>(v)];
+    }
+    CHECK(*std::max_element(taken.begin(), taken.end()) == 1);
+}
+
 TEST_CASE("what touches both ends of a curve is blended between them, not torn") {
     const TriangleMesh ring = shapes::torus(48, 16);
     std::vector<Vector3d> half; // along one half of the ring

@@ -348,6 +348,10 @@ void CurveSession::State::assign() {
         owner[p] = best < count ? best : free_end < count ? free_end : some_linked ? linked : left;
     }
     if (model && some_linked) owner = joined_owners(surface->rings(), owner);
+    // Limbs that share the model have of their reach what is theirs.
+    for (int c = 0; c < count; ++c)
+        if (order.linked[c] && !is_contour(c) && !specs[c].region)
+            std::erase_if(regions[c], [&](int v) { return owner[model ? model->working_of_source[v] : v] != c; });
 
     // Over how far owners blend: the limb's radius at the nearest link; without links the thinnest place of any curve.
     std::vector<std::pair<Vector3d, double>> widths;
