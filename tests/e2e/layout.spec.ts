@@ -40,6 +40,28 @@ test('at 1024 × 700 nothing is cut, covered or scrolled sideways', async ({ des
   await desk.picture('1024x700');
 });
 
+test('the title gives way to the buttons beside it, at every width', async ({ desk }) => {
+  const { page } = desk;
+  for (const width of [1440, 1180, 1024, 940, 860, 800]) {
+    await page.setViewportSize({ width, height: 700 });
+    const wrong = await page.evaluate(() => {
+      const title = document.querySelector('.top-middle')!.getBoundingClientRect();
+      const found: string[] = [];
+      for (const button of document.querySelectorAll('.top-bar button')) {
+        const box = button.getBoundingClientRect();
+        if (box.width === 0) continue;
+        const name = button.getAttribute('aria-label') ?? button.textContent;
+        if (box.right > window.innerWidth) found.push(`${name} is cut`);
+        if (title.width > 0 && box.right > title.left && box.left < title.right)
+          found.push(`the title lies on ${name}`);
+      }
+      return found;
+    });
+    expect(wrong, `${width} pixels wide`).toEqual([]);
+    await desk.picture(`top-${width}`);
+  }
+});
+
 test('on a phone one can look, turn with a finger and open links', async ({ browser, baseURL }) => {
   const context = await browser.newContext({
     viewport: { width: 390, height: 844 },
