@@ -40,8 +40,12 @@ test('at 1024 × 700 nothing is cut, covered or scrolled sideways', async ({ des
   await desk.picture('1024x700');
 });
 
-test('the title gives way to the buttons beside it, at every width', async ({ desk }) => {
+test('the title gives way to the buttons beside it, and whether it is saved is seen, at every width', async ({
+  desk,
+}) => {
   const { page } = desk;
+  await desk.drag(await desk.grip(1), { x: -20, y: -30 });
+  await expect(page.getByText(/^saved/)).toBeVisible();
   for (const width of [1440, 1180, 1024, 940, 860, 800]) {
     await page.setViewportSize({ width, height: 700 });
     const wrong = await page.evaluate(() => {
@@ -55,6 +59,10 @@ test('the title gives way to the buttons beside it, at every width', async ({ de
         if (title.width > 0 && box.right > title.left && box.left < title.right)
           found.push(`the title lies on ${name}`);
       }
+      const saved = document.querySelector<HTMLElement>('.saved')!;
+      const note = saved.getBoundingClientRect();
+      if (window.innerWidth >= 860 && (note.width === 0 || note.right > title.right + 1 || note.bottom > 44))
+        found.push(`“${saved.textContent}” does not fit`);
       return found;
     });
     expect(wrong, `${width} pixels wide`).toEqual([]);
