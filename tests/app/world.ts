@@ -1,6 +1,8 @@
 // The app without a browser: a kernel that moves every free vertex with the first handle, memory for storage.
 
 import { type BuiltApp, buildApp, type World } from '../../web/app/app';
+import type { CurvesActions } from '../../web/app/curves/actions';
+import type { CurvesWing } from '../../web/app/curves/wing';
 import type { DeformActions } from '../../web/app/deform/actions';
 import type { DeformWing } from '../../web/app/deform/wing';
 import type { SaveOptions } from '../../web/app/file-dialogs';
@@ -14,6 +16,7 @@ import type { TransferWing } from '../../web/app/transfer/wing';
 import type { Args, KernelId, KernelPort, Method, Result } from '../../web/kernel/contract';
 import type { WorkspaceId } from '../../web/recipe/recipe';
 import type { LayerKind } from '../../web/view/layer';
+import type { ControlLinesPort } from '../../web/view/overlays/types';
 import type { ViewportPort } from '../../web/view/types';
 
 /** A cube of eight vertices and twelve triangles. */
@@ -242,9 +245,10 @@ export class Tab {
     readonly session = new MemoryStorage(),
     viewport: ViewportPort | null = null,
     private readonly isReload = false,
+    kernel?: KernelPort,
   ) {
     const world: World = {
-      kernel: this.kernel,
+      kernel: kernel ?? this.kernel,
       viewport,
       pane: () => null,
       store: browser.store,
@@ -284,6 +288,14 @@ export class Tab {
       reload: () => void this.reloads++,
     };
     this.app = buildApp(world);
+  }
+
+  get curves(): CurvesActions {
+    return this.#wing<CurvesWing>('curves').actions;
+  }
+
+  get curvesState(): CurvesWing['state'] {
+    return this.#wing<CurvesWing>('curves').state;
   }
 
   get deform(): DeformActions {
@@ -370,7 +382,9 @@ export class Tab {
 const STANDING: ViewportPort['camera'] = { position: [0, 0, 5], target: [0, 0, 0], orthographic: false };
 
 /** What answers in the place of layers, by the id of their kind. */
-export type LayerDoubles = Readonly<Record<string, { readonly unmounted?: () => void }>>;
+export type LayerDoubles = Readonly<
+  Record<string, Partial<ControlLinesPort> & { readonly unmounted?: () => void }>
+>;
 
 /** A viewport that shows nothing, finds nothing and takes every call; its layers likewise. */
 export const blindViewport = (parts: Partial<ViewportPort>, layers: LayerDoubles = {}): ViewportPort => {

@@ -128,7 +128,9 @@ export class Files implements FileService {
     if (!choice) return;
     const { label: description, mimeType } = choice;
     const kind = { extension: `.${format}`, description, mimeType };
-    await this.#write(kind, (shown) => ({ bytes: group.write(shown, this.#title, format, option) }));
+    await this.#write(kind, async (shown) => ({
+      bytes: await group.write(shown, this.#title, format, option),
+    }));
   }
 
   async screenshot(): Promise<void> {

@@ -62,10 +62,10 @@ export interface ExportGroup {
   readonly besideLabel: string;
   readonly choices: readonly WrittenAs[];
   readonly about: string;
-  /** A switch of the group: its label. */
-  readonly option: string;
+  /** A switch of the group, if there is one: its label. */
+  readonly option?: string;
   /** @throws LissomError  where there is nothing to write */
-  write(shown: Evaluation, name: string, format: string, option: boolean): Uint8Array;
+  write(shown: Evaluation, name: string, format: string, option: boolean): Uint8Array | Promise<Uint8Array>;
 }
 
 export interface Wing {

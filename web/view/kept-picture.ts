@@ -56,7 +56,12 @@ export async function keptPicture(
   } finally {
     still.dispose();
   }
-  const blob = await new Promise<Blob | null>((done) => copy.toBlob(done, 'image/png'));
+  return pngOf(copy);
+}
+
+/** @throws LissomError  `screenshot-failed` */
+export async function pngOf(canvas: HTMLCanvasElement): Promise<Blob> {
+  const blob = await new Promise<Blob | null>((done) => canvas.toBlob(done, 'image/png'));
   if (!blob) throw new LissomError('screenshot-failed', 'The picture could not be made. Try a smaller size.');
   return blob;
 }

@@ -1,9 +1,13 @@
 import {
+  BackSide,
   BufferAttribute,
   BufferGeometry,
+  DoubleSide,
   DynamicDrawUsage,
+  FrontSide,
   type GLBufferAttribute,
   Mesh,
+  type Side,
   Sphere,
   Vector3,
 } from 'three';
@@ -67,6 +71,12 @@ export class ModelView {
 
   /** Places as now shown, model space. */
   posed: Float64Array;
+
+  /** Closed surfaces show one side: at their outline the far side would flicker through the near one. */
+  get side(): Side {
+    if (!this.closed) return DoubleSide;
+    return this.inwards ? BackSide : FrontSide;
+  }
 
   get graph(): SurfaceGraph {
     this.#graph ??= new SurfaceGraph(this.model.triangles, this.model.welded);

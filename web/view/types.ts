@@ -57,5 +57,7 @@ export interface ViewportPort {
   readonly size: { readonly width: number; readonly height: number };
   /** A PNG of what is seen, without tools. The page stays at hand; what changes meanwhile starts it over. */
   screenshot(width: number, height: number, options?: PictureOptions): Promise<Blob>;
+  /** A small picture of the model with its vertices at other places, without tints and tools, from the home view. */
+  thumbnail(positions: Float64Array, width: number, height: number): Promise<Blob>;
   dispose(): void;
 }

@@ -1,14 +1,4 @@
-import {
-  BackSide,
-  DoubleSide,
-  FrontSide,
-  Plane,
-  type Ray,
-  Scene,
-  type Side,
-  Vector3,
-  type WebGLRenderer,
-} from 'three';
+import { Plane, type Ray, Scene, Vector3, type WebGLRenderer } from 'three';
 import { CameraRig } from './camera-rig';
 import { DrawLoop } from './draw-loop';
 import { Gizmo } from './gizmo';
@@ -24,6 +14,7 @@ import { rendererFor } from './renderer';
 import { Rest } from './rest';
 import { Stage } from './stage';
 import { SurfaceMaterials } from './surface-material';
+import { thumbnail } from './thumbnail';
 import type { ViewportPort } from './types';
 import type {
   CameraState,
@@ -180,7 +171,7 @@ export class Viewport implements ViewportPort {
     this.#materials.uniforms.paintShown.value =
       options.shading === 'vertex-colours' && this.#view?.model.colors !== undefined;
     if (this.#view) {
-      this.#view.mesh.material = this.#materials.of(options, sideOf(this.#view));
+      this.#view.mesh.material = this.#materials.of(options, this.#view.side);
       this.#materials.setChannels(this.#view.setRegions(this.#regions), palette);
     }
     for (const part of [this.#stage, this.#layers, this.#gizmo, this.#widget]) {
@@ -281,6 +272,22 @@ export class Viewport implements ViewportPort {
       { width, height },
       { ...(this.options.test && { samples: 1 }), ...options },
     );
+  }
+
+  thumbnail(positions: Float64Array, width: number, height: number): Promise<Blob> {
+    return thumbnail(this.#view, positions, {
+      viewport: this,
+      regions: this.#regions,
+      canvas: this.#renderer.domElement,
+      heatShown: this.#materials.uniforms.heatShown,
+      look: (places) => {
+        this.#rig.look('home');
+        this.#rig.frame(places);
+        this.#rig.jump();
+      },
+      drawAside: (draw) => this.#drawAside(width, height, draw),
+      render: () => this.#render(0),
+    });
   }
 
   get size(): { readonly width: number; readonly height: number } {
@@ -437,10 +444,4 @@ export class Viewport implements ViewportPort {
     this.#materials.setShades(this.#layers.shades);
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
-}
-
-/** Closed surfaces show one side: at their outline the far side would flicker through the near one. */
-function sideOf({ closed, inwards }: ModelView): Side {
-  if (!closed) return DoubleSide;
-  return inwards ? BackSide : FrontSide;
 }

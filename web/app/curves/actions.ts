@@ -2,6 +2,7 @@
 
 import { isCancelled, LissomError } from '../../core/errors';
 import type { Curve, CurvesStep } from '../../recipe/steps/curves';
+import type { CurvePose } from '../../recipe/steps/curves-edits';
 import * as edits from '../../recipe/steps/curves-edits';
 import * as poses from '../../recipe/steps/curves-poses';
 import * as tools from '../../tools/curves/edits';
@@ -12,6 +13,7 @@ import { CurvesEdits } from './edits';
 import { extentOf } from './extent';
 import { pointsOf } from './host';
 import { Player } from './player';
+import { pictureKey } from './pose-pictures';
 import type { CurvesState } from './state';
 
 /** What an end moves by at a click, in parts of the curve. */
@@ -166,6 +168,12 @@ export class CurvesActions {
     const pose = step?.poses[at];
     if (pose)
       this.edits.commit(t('history.curves.remove-pose', { name: pose.name }), poses.removePose(step, at));
+  }
+
+  /** The address of a pose's picture, once it is made. Reads signals. */
+  picture(pose: CurvePose): string | undefined {
+    const step = this.own.step.value;
+    return step && this.own.posePictures.value.get(pictureKey(step, pose));
   }
 
   /** What lies between two poses, while a slider moves; then `edits.finish`. */

@@ -1,6 +1,7 @@
 // The app's side of the curve tools: the scene they read, the edits they make.
 
 import { isCancelled, LissomError } from '../../core/errors';
+import type { SketchedCurve } from '../../kernel/contract/sketch';
 import type { CurvesStep } from '../../recipe/recipe';
 import { addDrawn, isOnPlane, mirrorCurve } from '../../tools/curves/edits';
 import type {
@@ -58,6 +59,16 @@ export class AppCurvesHost implements CurvesHost {
     return this.own.reach.peek();
   }
 
+  slides(): boolean {
+    return this.own.gizmo.peek() === 'ends';
+  }
+
+  hover(grip: Grip | null): void {
+    const { under } = this.own;
+    const before = under.peek();
+    if (grip?.curve !== before?.curve || grip?.point !== before?.point) under.value = grip;
+  }
+
   preview({ step, selected }: CurvesEdit): void {
     this.edits.preview('', step, selected);
   }
@@ -80,6 +91,7 @@ export class AppCurvesHost implements CurvesHost {
     if (line) return;
     this.#next = null;
     this.own.foreseen.value = null;
+    this.own.reached.value = null;
   }
 
   foresee(stroke: DrawnStroke): void {
@@ -150,17 +162,22 @@ export class AppCurvesHost implements CurvesHost {
     });
   }
 
+  async #reached({ points, radius, hits }: SketchedCurve): Promise<Uint32Array> {
+    const { document, runner } = this.parts;
+    const args = { points, options: { radius, hits } };
+    return (await runner.ask(document.recipe, document.selection.step, 'strokeRegion', args)).vertices;
+  }
+
   /** The newest stroke under way, one at a time; one that makes no curve yet shows none. */
   async #foresee(): Promise<void> {
     this.#foreseeing = true;
     while (this.#next) {
       const stroke = this.#next;
       this.#next = null;
-      const line = await this.#sketched(stroke).then(
-        ({ points }) => splinePoints(pointsOf(points)),
-        () => null,
-      );
-      if (this.own.stroke.peek()) this.own.foreseen.value = line;
+      const found = await this.#sketched(stroke).catch(() => null);
+      if (this.own.stroke.peek()) this.own.foreseen.value = found && splinePoints(pointsOf(found.points));
+      const reached = found && (await this.#reached(found).catch(() => null));
+      if (this.own.stroke.peek()) this.own.reached.value = reached;
     }
     this.#foreseeing = false;
   }

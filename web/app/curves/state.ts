@@ -10,6 +10,9 @@ import type { Mat4 } from '../../tools/geometry';
 import type { Line } from '../../tools/stroke/polyline';
 import type { State } from '../state';
 
+/** `ends`: the two ends of a curve are dragged along it. */
+export type CurveMode = CurveGizmo | 'ends';
+
 /** What came of the last pose. Times in milliseconds. */
 export interface CurvesFigures {
   readonly prepare: number;
@@ -22,7 +25,8 @@ export class CurvesState {
   /** The open step while it is one of curves. */
   readonly step: ReadonlySignal<CurvesStep | undefined>;
   readonly grip: ReadonlySignal<Grip | null>;
-  readonly gizmo = signal<CurveGizmo>('move');
+  /** What dragging a control point does. */
+  readonly gizmo = signal<CurveMode>('move');
   /** What strokes become. */
   readonly kind = signal<'skeleton' | 'surface'>('skeleton');
   /** A drag moves the chain up to the point. */
@@ -32,6 +36,10 @@ export class CurvesState {
   /** The stroke under way, and the curve that it would become. */
   readonly stroke = signal<Line | null>(null);
   readonly foreseen = signal<Line | null>(null);
+  /** Vertices that would follow the curve that a stroke under way would become. */
+  readonly reached = signal<Uint32Array | null>(null);
+  /** What is under the pointer. */
+  readonly under = signal<Grip | null>(null);
   /** The drag under way has gone as far as the surface lets it. */
   readonly stopped = signal(false);
   /** What each curve takes over from its parent. */
@@ -42,8 +50,10 @@ export class CurvesState {
   readonly showCrossings = signal(false);
   /** Vertices of those faces. */
   readonly crossing = signal<Uint32Array | null>(null);
-  /** The pose that is blended towards, and how far. */
+  /** The poses are played one after the other. */
   readonly playing = signal(false);
+  /** Addresses of pictures of the poses, by `pictureKey`. */
+  readonly posePictures = signal<ReadonlyMap<string, string>>(new Map());
 
   constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
     this.step = computed(() => stepOf(recipe.value, selection.value.step, 'curves'));

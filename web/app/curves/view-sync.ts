@@ -17,6 +17,7 @@ import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import type { CurvesActions } from './actions';
 import { AppCurvesHost } from './host';
+import { PosePictures } from './pose-pictures';
 import type { CurvesState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'runner' | 'messages'>;
@@ -37,8 +38,12 @@ export function mountCurves(
   const { state, evaluator } = parts;
   const lines = viewport.mount(INNER_LINES);
   const host = new AppCurvesHost(viewport, lines.port, parts, own, actions.edits);
-  const gizmo = new CurveGizmoDrag(host, () => own.gizmo.peek());
+  const gizmo = new CurveGizmoDrag(host, () => {
+    const mode = own.gizmo.peek();
+    return mode === 'ends' ? 'move' : mode;
+  });
   const painted = new PaintedRegions(viewport);
+  const pictures = new PosePictures(viewport, parts, own);
   const stops = [
     effect(() => lines.port.setLines([...curvesShown(own), ...strokeShown(own)])),
     effect(() => {
@@ -59,13 +64,13 @@ export function mountCurves(
       // While a gesture lasts the gizmo belongs to the hand that holds it.
       if (state.previewing.value) return;
       // A whole curve is dragged by its line; only a turn has to be taken hold of elsewhere.
-      const held = grip && (grip.point !== null || mode === 'turn');
+      const held = grip && mode !== 'ends' && (grip.point !== null || mode === 'turn');
       const shown = held && step && state.tool.value === 'pose-curves';
       const anchors = step?.curves.map(({ anchor }, i) => anchor ?? prepared?.curves[i]?.anchor ?? 'start');
       const matrix = shown
         ? gizmoFrame({ step, selected: grip, parents, anchors: anchors!, size: 1 }, grip)
         : null;
-      viewport.setGizmo(matrix && { matrix, mode: GIZMO[mode] }, gizmo);
+      viewport.setGizmo(matrix && mode !== 'ends' ? { matrix, mode: GIZMO[mode] } : null, gizmo);
     }),
   ];
   return {
@@ -81,6 +86,8 @@ export function mountCurves(
     unmount: () => {
       actions.player.stop();
       for (const stop of stops) stop();
+      own.under.value = null;
+      pictures.dispose();
       painted.clear();
       lines.unmount();
       viewport.setGizmo(null);
@@ -94,6 +101,7 @@ function curvesShown(own: CurvesState): ControlLine[] {
   const grip = own.grip.value;
   const parents = own.parents.value;
   const hidden = own.hidden.value;
+  const under = own.under.value;
   return (step?.curves ?? []).flatMap((curve, i): ControlLine[] => {
     if (hidden.has(curve.id)) return [];
     const matrix = parents[i] ?? IDENTITY;
@@ -108,6 +116,7 @@ function curvesShown(own: CurvesState): ControlLine[] {
         selected,
         chosen: selected && grip.point !== null ? grip.point : undefined,
         joints: jointOf(step!, i) ? [0] : [],
+        under: under?.curve === i ? (under.point ?? 'line') : undefined,
       },
     ];
   });
@@ -131,7 +140,8 @@ function strokeShown({ stroke, foreseen }: CurvesState): ControlLine[] {
 /** Reads signals. */
 function regionsShown(own: CurvesState): RegionPaint[] {
   const grip = own.grip.value;
-  const region = grip && own.prepared.value?.curves[grip.curve]?.region;
+  const reached = own.reached.value;
+  const region = reached ?? (grip && own.prepared.value?.curves[grip.curve]?.region);
   const crossing = own.crossing.value;
   const paint = (id: string, tint: RegionPaint['tint'], vertices: Uint32Array): RegionPaint => ({
     id,

@@ -6,6 +6,7 @@ import type { WingParts } from '../wing-parts';
 import { CurvesActions } from './actions';
 import { curvesCommands, TOOLS } from './commands';
 import { curvesStrategy } from './evaluation';
+import { skinExport } from './export';
 import { Follow } from './follow';
 import { startCurves } from './start';
 import { CurvesState } from './state';
@@ -32,6 +33,7 @@ export function create(parts: WingParts): CurvesWing {
     commands: curvesCommands(parts, own, actions, follow),
     strategy: curvesStrategy,
     mirrors: true,
+    exports: skinExport(parts),
     start: async () => startCurves(parts),
     isIdle: (step) => step.type === 'curves' && step.curves.length === 0,
     publish: (shown) => follow.publish(shown),

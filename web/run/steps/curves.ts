@@ -3,7 +3,7 @@
 import { LissomError } from '../../core/errors';
 import { withPositions } from '../../core/model';
 import type { Args } from '../../kernel/contract';
-import type { Curve, CurvesStep } from '../../recipe/steps/curves';
+import type { Curve, CurvePosture, CurvesStep } from '../../recipe/steps/curves';
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { postureOf, prepareCurves } from './curves/kernel-words';
@@ -33,6 +33,24 @@ export const curvesRunner = {
         { sketch: (await prepareSketch(context)).id, ...args },
         signalOf(context),
       ),
+    /** What would follow the curve that a stroke means. */
+    strokeRegion: async (_: CurvesStep, context: StepContext, args: Omit<Args<'curveRegion'>, 'sketch'>) =>
+      context.kernel.call(
+        'curveRegion',
+        { sketch: (await prepareSketch(context)).id, ...args },
+        signalOf(context),
+      ),
+    /** Where the vertices are in another posture of the same curves. */
+    posedBy: async (
+      step: CurvesStep,
+      context: StepContext,
+      { curves }: { readonly curves: readonly CurvePosture[] },
+    ) =>
+      context.kernel.call(
+        'poseCurves',
+        { curves: (await prepareCurves(step, context)).id, postures: curves.map(postureOf) },
+        signalOf(context),
+      ),
     /** Curves to begin with. */
     proposedCurves: async (_: CurvesStep, context: StepContext) =>
       context.kernel.call('proposeCurves', { sketch: (await prepareSketch(context)).id }, signalOf(context)),
@@ -49,7 +67,7 @@ export const curvesRunner = {
     curveDragLimit: async (
       step: CurvesStep,
       context: StepContext,
-      { to }: { readonly to: readonly Omit<Curve, 'id' | 'kind' | 'rest'>[] },
+      { to }: { readonly to: readonly CurvePosture[] },
     ) =>
       context.kernel.call(
         'curveDragLimit',

@@ -20,7 +20,7 @@ export interface CurvesScene {
 }
 
 /** What an edit is called in the history. */
-export type CurvesLabel = 'draw' | 'move' | 'reach' | 'turn' | 'twist' | 'scale' | 'link';
+export type CurvesLabel = 'draw' | 'move' | 'reach' | 'turn' | 'twist' | 'scale' | 'link' | 'end';
 
 export interface CurvesEdit {
   readonly step: CurvesStep;
@@ -45,6 +45,10 @@ export interface CurvesHost {
   scene(): CurvesScene | null;
   /** Whether a drag moves the chain up to the point, and not the point alone. */
   reaches(): boolean;
+  /** Whether a drag moves the ends of curves along them: trims or extends. */
+  slides(): boolean;
+  /** Shows what a press would take hold of. */
+  hover(grip: Grip | null): void;
   preview(edit: CurvesEdit): void;
   commit(label: CurvesLabel, edit: CurvesEdit): void;
   cancel(): void;

@@ -28,9 +28,15 @@ export class LinkTool implements Tool {
 
   up(): void {}
 
-  hover(): void {}
+  hover(sample: PointerSample): void {
+    const scene = this.host.scene();
+    const grip = scene && gripAt(this.host, scene, sample);
+    this.host.hover(grip?.point === null ? null : grip);
+  }
 
-  leave(): void {}
+  leave(): void {
+    this.host.hover(null);
+  }
 
   cancel(): void {}
 }

@@ -4,6 +4,7 @@ import { type Drag, DragTool } from '../drag-tool';
 import { IDENTITY, invert, subtract, transform } from '../geometry';
 import { clickSlop, distance } from '../tool';
 import { jointOf, moveCurve, movePoint, withPoints } from './edits';
+import { EndDrag } from './end-drag';
 import { GuardedEdit } from './guarded-edit';
 import type { CurvesHost, CurvesScene } from './host';
 import type { Grip } from './items';
@@ -14,11 +15,31 @@ export class PoseTool extends DragTool {
     super();
   }
 
-  protected override take(sample: PointerSample): PointDrag | null {
+  protected override take(sample: PointerSample): Drag | null {
     const scene = this.host.scene();
     if (!scene || sample.button !== 0) return null;
+    const grip = this.#under(scene, sample);
+    if (!grip) return null;
+    return this.host.slides()
+      ? new EndDrag(this.host, scene, grip, sample)
+      : new PointDrag(this.host, scene, grip, sample);
+  }
+
+  override hover(sample: PointerSample): void {
+    const scene = this.host.scene();
+    this.host.hover(scene && this.#under(scene, sample));
+  }
+
+  /** What a press would take hold of. */
+  #under(scene: CurvesScene, sample: PointerSample): Grip | null {
     const grip = gripAt(this.host, scene, sample);
-    return grip && new PointDrag(this.host, scene, grip, sample);
+    if (!grip || !this.host.slides()) return grip;
+    const last = scene.step.curves[grip.curve]!.rest.length - 1;
+    return grip.point === 0 || grip.point === last ? grip : null;
+  }
+
+  override leave(): void {
+    this.host.hover(null);
   }
 }
 

@@ -3,7 +3,13 @@ import './curves.css';
 import { CurvesFigures } from './curves-figures';
 import { CurvesPanels } from './curves-panels';
 
-const GIZMO = ['curves.gizmo.move', 'curves.gizmo.turn', 'curves.gizmo.twist', 'curves.gizmo.scale'];
+const GIZMO = [
+  'curves.gizmo.move',
+  'curves.gizmo.turn',
+  'curves.gizmo.twist',
+  'curves.gizmo.scale',
+  'curves.gizmo.ends',
+];
 
 export const face: Face = {
   Panels: CurvesPanels,

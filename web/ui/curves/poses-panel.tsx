@@ -70,6 +70,11 @@ function Blend() {
   );
 }
 
+/** Room for it is there before it is. */
+function Picture({ of }: { of: string | undefined }) {
+  return of ? <img class="pose-picture" src={of} alt="" /> : <span class="pose-picture" />;
+}
+
 function Row({ at }: { at: number }) {
   const [renaming, setRenaming] = useState(false);
   const { state: own, actions: curves } = useCurves();
@@ -103,6 +108,7 @@ function Row({ at }: { at: number }) {
           onClick={() => curves.takePose(at)}
           onDblClick={() => setRenaming(true)}
         >
+          <Picture of={curves.picture(pose)} />
           <span>{pose.name}</span>
         </button>
       )}

@@ -51,7 +51,7 @@ export function ExportDialog({ onClose }: { onClose: () => void }) {
       {ofGroup ? (
         <>
           <Choices choices={ofGroup.choices} value={own} onChange={setOwn} />
-          <Switch label={ofGroup.option} checked={option} onChange={setOption} />
+          {ofGroup.option && <Switch label={ofGroup.option} checked={option} onChange={setOption} />}
         </>
       ) : (
         <Choices choices={files.exportChoices} value={format} onChange={setFormat} />

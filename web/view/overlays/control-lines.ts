@@ -17,6 +17,8 @@ const WIDTH = 2.5;
 const BEAD = 9;
 const POINT_REACH = 11;
 const LINE_REACH = 8;
+/** A bead under the pointer is as large as one that is taken up. */
+const UNDER = 1.5;
 
 interface Look {
   /** How strongly lines and points show through what lies in front of them. */
@@ -83,9 +85,11 @@ class ControlLineOverlay implements Layer, ControlLinesPort {
     const looks: number[] = [];
     const places: number[] = [];
     const tints: number[] = [];
-    for (const { points, smooth = points, tint: name, selected, plain, chosen, joints } of this.#shown) {
-      const tint = shown(name, selected);
-      const width = selected ? 1.4 * WIDTH : WIDTH;
+    for (const line of this.#shown) {
+      const { points, smooth = points, tint: name, selected, plain, chosen, joints, under } = line;
+      const lit = selected || under === 'line';
+      const tint = shown(name, lit);
+      const width = lit ? 1.4 * WIDTH : WIDTH;
       const drawn = smooth.map((point) => this.#space.toView(point));
       drawn.slice(1).forEach((to, i) => {
         ends.push(...drawn[i]!, ...to);
@@ -94,8 +98,9 @@ class ControlLineOverlay implements Layer, ControlLinesPort {
       if (plain) continue;
       points.forEach((point, i) => {
         places.push(...this.#space.toView(point));
-        const bead = joints?.includes(i) ? shown('yellow', selected) : tint;
-        tints.push(...bead, chosen === undefined ? Number(selected) : i === chosen ? 2 : 0);
+        const bead = shown(joints?.includes(i) ? 'yellow' : name, lit || i === under);
+        const state = chosen === undefined ? Number(lit) : i === chosen ? 2 : 0;
+        tints.push(...bead, i === under ? Math.max(UNDER, state) : state);
       });
     }
     this.#lines.set({ ends: Float32Array.from(ends), looks: Float32Array.from(looks) });

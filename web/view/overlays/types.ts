@@ -57,6 +57,8 @@ export interface ControlLine {
   readonly chosen?: number | undefined;
   /** Points where it hangs on another line. */
   readonly joints?: readonly number[];
+  /** What is under the pointer: one of its points, or the line. */
+  readonly under?: number | 'line' | undefined;
 }
 
 export interface ControlHit {
