@@ -2,7 +2,7 @@
 
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
-import { writeModel } from '../../web/io/index';
+import { readModel, writeModel } from '../../web/io/index';
 import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
 import { itemOf } from '../../web/tools/curves/items';
@@ -68,10 +68,10 @@ class Bench {
     this.tab = new Tab(new Browser(), new MemoryStorage(), view, false, kernel);
   }
 
-  static async open(): Promise<Bench> {
+  static async open(model: Uint8Array | string = LIMB): Promise<Bench> {
     const bench = new Bench();
     const { app } = bench.tab;
-    await app.files.openFiles([file('limb.obj', LIMB)]);
+    await app.files.openFiles([file('limb.obj', model)]);
     await app.evaluator.settled();
     await app.commands.run('workspace.curves');
     await bench.settled();
@@ -172,6 +172,19 @@ describe('drawing', () => {
     bench.handler!.up(bench.at([0, 1]));
     expect(bench.tab.toasts.at(-1)).toBe('The stroke is too short. Draw along the limb.');
     expect(bench.step.curves).toEqual([]);
+  });
+
+  test('points without faces are drawn on like a surface, and leave as points', async () => {
+    const lines = new TextDecoder().decode(LIMB).split('\n');
+    const bench = await Bench.open(lines.filter((line) => line.startsWith('v ')).join('\n'));
+    await bench.tool('sketch-curve');
+    await bench.stroke([0, 0.15], [0, 1.8]);
+    await vi.waitFor(() => expect(bench.step.curves).toHaveLength(1));
+    for (const [x, , z] of bench.rest) expect(Math.hypot(x, z)).toBeLessThan(0.05);
+    await bench.tab.app.files.exportModel('ply');
+    const { model } = readModel(bench.tab.saved.at(-1)!.bytes, 'limb.ply');
+    expect(model.positions).toHaveLength(bench.positions.length);
+    expect(model.faceVertices).toHaveLength(0);
   });
 
   test('with the mirror one stroke beside the plane makes two curves', async () => {

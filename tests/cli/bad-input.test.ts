@@ -338,8 +338,6 @@ const REFUSED: Readonly<Record<string, string>> = {
   'one_vertex.ply': 'index-out-of-range',
   'only_comment.obj': 'file-not-a-mesh',
   'points.xyz': 'format-unknown',
-  'points_noisy.ply': 'no-faces',
-  'points_oriented.ply': 'no-faces',
   'truncated_body.ply': 'file-truncated',
   'truncated_header.ply': 'file-truncated',
   'zero_faces.ply': 'no-faces',

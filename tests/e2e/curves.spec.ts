@@ -1,13 +1,19 @@
+import { type Object3D, type SkinnedMesh, Vector3 } from 'three';
+import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import type { CurvesWing } from '../../web/app/curves/wing';
 import type { CurvesStep } from '../../web/recipe/recipe';
+import { tangentAt } from '../../web/tools/curves/spline';
+import { anyNormal, cross } from '../../web/tools/geometry';
 import type { Vec3 } from '../../web/view/types';
-import { type Desk, expect, gap, test } from './desk';
+import { bytesOf, type Desk, diagonal, expect, gap, test } from './desk';
 import { type as typed } from './hair-desk';
 import { limbsObj } from './shapes';
 
 test.slow();
 
 const LIMBS = limbsObj();
+/** Radius of the gizmo's rings in CSS pixels. */
+const RING = 70;
 
 async function curves(desk: Desk) {
   await desk.settled();
@@ -98,6 +104,26 @@ test('three strokes make a linked skeleton that is bent, twisted and undone', as
     expect(gap(undone.positions, before.positions)).toBe(0);
   });
 
+  await test.step('the twist ring is turned with the mouse', async () => {
+    const { step, grip } = await curves(desk);
+    expect(grip).toEqual({ curve: 1, point: step.curves[1]!.rest.length - 1 });
+    await page.keyboard.press('q');
+    const ring = await twistRing(desk, 1);
+    await page.mouse.move(ring[0]!.x, ring[0]!.y);
+    await page.mouse.down();
+    for (const { x, y } of ring.slice(1)) await page.mouse.move(x, y, { steps: 3 });
+    await desk.picture('curves-twist-ring');
+    await page.mouse.up();
+    await expect.poll(async () => (await curves(desk)).step.curves[1]!.twist?.at(-1)).toBeDefined();
+    const turned = await curves(desk);
+    expect(Math.abs(turned.step.curves[1]!.twist!.at(-1)!)).toBeGreaterThan(20);
+    // The curve itself stays where it was.
+    expect(turned.step.curves[1]!.posed).toEqual(step.curves[1]!.posed);
+    await page.keyboard.press('Control+z');
+    expect((await curves(desk)).step.curves[1]!.twist).toBeUndefined();
+    await page.keyboard.press('w');
+  });
+
   await test.step('two poses are kept', async () => {
     await desk.command('Keep this pose');
     await desk.command('All back to rest');
@@ -107,6 +133,88 @@ test('three strokes make a linked skeleton that is bent, twisted and undone', as
     expect(gap(positions, rest)).toBeLessThan(1e-9);
     await page.getByRole('button', { name: 'Pose 1', exact: true }).click();
     expect((await curves(desk)).step.curves[1]!.posed).toEqual(step.poses[0]!.curves[0]!.posed);
+    await expect(page.locator('.pose-picture[src]')).toHaveCount(2);
     await desk.picture('curves-poses');
   });
+
+  await test.step('the end of an arm slides along it', async () => {
+    await desk.command('All back to rest');
+    await page.keyboard.press('t');
+    const before = (await curves(desk)).step.curves[2]!.rest;
+    const [, y, z] = before.at(-1)!;
+    const [from, to] = await desk.project(before.at(-1)!, [-8, y, z]);
+    await page.mouse.move(from!.x, from!.y);
+    await desk.picture('curves-hover');
+    await desk.drag(from!, { x: to!.x - from!.x, y: to!.y - from!.y });
+    const after = (await curves(desk)).step.curves[2]!.rest;
+    expect(after.at(-1)![0]).toBeCloseTo(-8, 0);
+    expect(after[0]).toEqual(before[0]);
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('Control+z');
+    await page.keyboard.press('w');
+  });
+
+  await test.step('the skeleton leaves as a GLB that stands in the pose that is shown', async () => {
+    const { step, positions, rest } = await curves(desk);
+    expect(gap(positions, rest)).toBeGreaterThan(1);
+    await page.keyboard.press('Control+e');
+    await expect(page.getByRole('radio', { name: 'GLB with a skeleton' })).toBeChecked();
+    await desk.picture('curves-export');
+    const download = page.waitForEvent('download');
+    await page.getByRole('dialog').getByRole('button', { name: 'Export' }).click();
+    const file = await bytesOf(await download);
+    const { scene, animations } = await new GLTFLoader().parseAsync(file.slice().buffer as ArrayBuffer, '');
+    expect(animations).toHaveLength(1);
+    const far = farthest(scene, positions);
+    const size = diagonal(rest);
+    console.log(
+      `the skin of three.js and the app: ${((100 * far) / size).toFixed(2)} % of the diagonal apart`,
+    );
+    expect(far).toBeLessThan(0.01 * size);
+    expect(step.poses).toHaveLength(2);
+  });
 });
+
+/** A quarter of the way round the ring that twists the selected point of a curve, on screen. */
+async function twistRing(desk: Desk, at: number): Promise<{ x: number; y: number }[]> {
+  const { step } = await curves(desk);
+  const points = step.curves[at]!.posed ?? step.curves[at]!.rest;
+  const place = points.at(-1)!;
+  const z = tangentAt(points, points.length - 1);
+  const x = anyNormal(z);
+  const y = cross(z, x);
+  const pixel = await desk.page.evaluate(
+    (point) => window.__lissom.app.viewport!.pixelSize(point),
+    place as Vec3,
+  );
+  const radius = RING * pixel;
+  const around = (angle: number): Vec3 =>
+    [0, 1, 2].map(
+      (k) => place[k]! + radius * (Math.cos(angle) * x[k]! + Math.sin(angle) * y[k]!),
+    ) as unknown as Vec3;
+  return desk.project(...Array.from({ length: 10 }, (_, k) => around((k * Math.PI) / 18)));
+}
+
+/** How far three.js draws any vertex from where the app has it. */
+function farthest(scene: Object3D, positions: Float64Array): number {
+  let most = 0;
+  scene.updateMatrixWorld(true);
+  scene.traverse((object) => {
+    const mesh = object as SkinnedMesh;
+    if (!mesh.isSkinnedMesh) return;
+    mesh.skeleton.update();
+    const at = new Vector3();
+    const { count } = mesh.geometry.attributes.position!;
+    for (let v = 0; v < count; v++) {
+      mesh.getVertexPosition(v, at).applyMatrix4(mesh.matrixWorld);
+      let nearest = Infinity;
+      for (let i = 0; i < positions.length; i += 3)
+        nearest = Math.min(
+          nearest,
+          Math.hypot(at.x - positions[i]!, at.y - positions[i + 1]!, at.z - positions[i + 2]!),
+        );
+      most = Math.max(most, nearest);
+    }
+  });
+  return most;
+}

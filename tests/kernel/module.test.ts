@@ -132,7 +132,10 @@ describe('mistakes are named', () => {
 
   test.each<[code: string, change: Partial<Shape>]>([
     ['no-vertices', { positions: new Float64Array() }],
-    ['no-faces', { faceOffsets: Uint32Array.of(0), faceVertices: new Uint32Array() }],
+    [
+      'no-faces',
+      { positions: new Float64Array(27), faceOffsets: Uint32Array.of(0), faceVertices: new Uint32Array() },
+    ],
     ['no-usable-faces', { faceVertices: shape.faceVertices.map(() => 0) }],
     ['wrong-size', { positions: shape.positions.subarray(1) }],
     ['bad-face-offsets', { faceOffsets: Uint32Array.of(0, 8, 4) }],

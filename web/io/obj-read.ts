@@ -84,7 +84,10 @@ class ObjReader {
       throw new LissomError('file-not-a-mesh', message);
     }
     if (this.#faces === 0)
-      this.notes.add('no-faces', `${name} holds points but no faces, so there is no surface to work on.`);
+      this.notes.add(
+        'no-faces',
+        `${name} holds points but no faces: a surface is drawn through them to work on.`,
+      );
     const { units, others } = fromUnitComments(this.#comments);
     const groups = this.#groups.finish(this.#faces);
     const extra: ObjExtra = { comments: others, statements: this.#statements };

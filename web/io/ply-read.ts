@@ -52,7 +52,7 @@ export function readPly(bytes: Uint8Array, name: string): ReadResult {
     throw new LissomError('file-not-a-mesh', message);
   }
   if (faces.count === 0)
-    notes.add('no-faces', `${name} holds points but no faces, so there is no surface to work on.`);
+    notes.add('no-faces', `${name} holds points but no faces: a surface is drawn through them to work on.`);
   const { units, others } = fromUnitComments(header.comments);
   const { columns, normals, ...perVertex } = vertices;
   const { faceColumns, ...perFace } = faces.finish();

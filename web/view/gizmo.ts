@@ -56,6 +56,8 @@ export class Gizmo {
       return;
     }
     if (this.#controls.mode !== state.mode && !this.#controls.dragging) this.#controls.setMode(state.mode);
+    this.#controls.showX = !state.single;
+    this.#controls.showY = !state.single;
     // While it is dragged, the gizmo is where the hand is.
     if (!this.#controls.dragging) this.#stand(state.matrix);
     if (this.#controls.object !== this.#anchor) this.#controls.attach(this.#anchor);

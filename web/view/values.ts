@@ -81,6 +81,8 @@ export interface GizmoState {
   /** Column-major 4×4: where the gizmo stands now, model space. */
   readonly matrix: readonly number[];
   readonly mode: GizmoMode;
+  /** The third axis alone. */
+  readonly single?: boolean;
 }
 
 export interface GizmoEvents {

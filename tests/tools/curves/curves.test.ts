@@ -108,6 +108,24 @@ test('a mirrored curve hangs on the same parent, and mirrored twice it is itself
   expect({ ...again, id: 'arm' }).toEqual(both.curves[1]);
 });
 
+test('a twist or a width fades over the neighbours, as many as wanted', () => {
+  const points = [0, 1, 2, 3, 4].map((y): [number, number, number] => [0, y, 0]);
+  const five = { ...STEP, curves: [{ id: 'limb', kind: 'skeleton' as const, rest: points }] };
+  const middle = { curve: 0, point: 2 };
+  const twisted = (range: number, point = 2) =>
+    edits.setTwist(five, { curve: 0, point }, 12, range).curves[0]!.twist;
+  expect(twisted(0)).toEqual([0, 0, 12, 0, 0]);
+  expect(twisted(1)).toEqual([0, 6, 12, 6, 0]);
+  expect(twisted(2, 0)).toEqual([12, 8, 4, 0, 0]);
+  // From there it goes on by what is missing.
+  const again = edits.setTwist(edits.setTwist(five, middle, 12, 1), middle, 20, 0);
+  expect(again.curves[0]!.twist).toEqual([0, 6, 20, 6, 0]);
+  // Widths multiply: at half the share it is the root.
+  const wide = edits.setScale(five, middle, [4, 1], 1).curves[0]!.scale!;
+  expect(wide.map(([x]) => x)).toEqual([1, 2, 4, 2, 1]);
+  expect(wide.every(([, y]) => y === 1)).toBe(true);
+});
+
 test('an end moves along its curve, inwards or straight on', () => {
   expect(edits.moveEnd(STEP, 0, 'end', 0.5, SIZE).curves[0]!.rest.at(-1)).toEqual([0, 1, 0]);
   expect(edits.moveEnd(STEP, 0, 'start', -0.5, SIZE).curves[0]!.rest[0]).toEqual([0, -1, 0]);

@@ -32,10 +32,3 @@ TEST_CASE("even steps give a line but for level ends, equal values a level") {
     CHECK(level.at(0.3) == doctest::Approx(7).epsilon(1e-14));
     CHECK(one.at(9) == 5);
 }
-
-TEST_CASE("an amount fades over the neighbours") {
-    const std::vector<double> none(5, 0.0);
-    CHECK(spread(none, 2, 12, 0) == std::vector<double>{0, 0, 12, 0, 0});
-    CHECK(spread(none, 2, 12, 1) == std::vector<double>{0, 6, 12, 6, 0});
-    CHECK(spread(none, 0, 12, 2) == std::vector<double>{12, 8, 4, 0, 0});
-}

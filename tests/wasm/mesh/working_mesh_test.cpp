@@ -199,12 +199,25 @@ TEST_CASE("faces that cannot be used are left out and listed") {
     CHECK(working.display.rows() == 45);
 }
 
+TEST_CASE("points alone get a surface to work on, and stay points") {
+    PolygonMesh source{shapes::icosphere().points, {0}, {}};
+    source.points.row(5).setConstant(std::numeric_limits<double>::quiet_NaN());
+    const WorkingMesh working = make_working_mesh(source);
+    CHECK(finding(working, "points-only")->count == source.vertex_count());
+    CHECK(finding(working, "non-finite-vertex")->examples == std::vector<int>{5});
+    CHECK(working.working_of_source[5] == -1);
+    CHECK(working.display.rows() > source.vertex_count());
+    CHECK(working.display.rows() == std::ssize(working.polygon_of_display));
+    CHECK(working.display.maxCoeff() < source.vertex_count());
+    CHECK(working.oriented);
+}
+
 TEST_CASE("inputs without a surface are refused by name") {
     const Points corner = Points::Zero(3, 3);
     Points triangle(3, 3);
     triangle << 0, 0, 0, 1, 0, 0, 0, 1, 0;
     CHECK(code_of({}) == "no-vertices");
-    CHECK(code_of(shapes::polygons(triangle, {})) == "no-faces");
+    CHECK(code_of(shapes::polygons(corner, {})) == "no-faces");
     CHECK(code_of(shapes::polygons(triangle, {{0, 1}})) == "no-usable-faces");
     CHECK(code_of(shapes::polygons(triangle, {{0, 1, 9}})) == "no-usable-faces");
     CHECK(code_of(shapes::polygons(corner, {{0, 1, 2}})) == "zero-size");
@@ -212,6 +225,7 @@ TEST_CASE("inputs without a surface are refused by name") {
     Points line(3, 3);
     line << 0, 0, 0, 1, 0, 0, 1, 0, 0;
     CHECK(code_of(shapes::polygons(line, {{0, 1, 2}})) == "no-usable-faces");
+    CHECK(code_of(shapes::polygons(line, {})) == "no-faces");
     CHECK(code_of(shapes::polygons(triangle, {{0, 1, 2}})) == "none"); // one triangle is a surface
 }
 

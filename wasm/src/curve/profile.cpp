@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace lissom {
 
@@ -37,15 +36,6 @@ double MonotoneProfile::at(double place) const {
     const double width = places_[i + 1] - places_[i], u = (place - places_[i]) / width;
     const double u2 = u * u, u3 = u2 * u;
     return (2 * u3 - 3 * u2 + 1) * values_[i] + (3 * u2 - 2 * u3) * values_[i + 1] + width * ((u3 - 2 * u2 + u) * slopes_[i] + (u3 - u2) * slopes_[i + 1]);
-}
-
-std::vector<double> spread(std::span<const double> values, int control, double amount, int range) {
-    std::vector<double> result(values.begin(), values.end());
-    for (int i = 0; i < static_cast<int>(result.size()); ++i) {
-        const int away = std::abs(i - control);
-        if (away <= range) result[i] += amount * (1 - static_cast<double>(away) / (range + 1));
-    }
-    return result;
 }
 
 } // namespace lissom

@@ -4,10 +4,12 @@
 
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/orientation.h"
+#include "lissom/mesh/points_surface.h"
 #include "lissom/mesh/topology.h"
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
@@ -56,10 +58,26 @@ void check(const PolygonMesh& source) {
     if (source.vertex_count() == 0)
         throw InvalidInput("no-vertices", "The model has no vertices.");
     if (source.face_count() == 0)
-        throw InvalidInput("no-faces", "The model has no faces, so there is no surface to work on.");
+        return;
     if (source.offsets.front() != 0 || source.offsets.back() != std::ssize(source.corners)
         || !std::is_sorted(source.offsets.begin(), source.offsets.end()))
         throw InvalidInput("bad-offsets", "The faces' offsets do not fit their corners.");
+}
+
+/// A surface for points without faces: each of its triangles counts as a face of its own.
+/// @throws InvalidInput `no-faces` where they make none
+Triangulation through_points(const Points& points, const std::vector<bool>& finite) {
+    const std::vector<int> sound = where(finite);
+    Points kept(std::ssize(sound), 3);
+    for (std::size_t i = 0; i < sound.size(); ++i)
+        kept.row(static_cast<Eigen::Index>(i)) = points.row(sound[i]);
+    Triangulation drawn;
+    drawn.triangles = surface_through(kept).unaryExpr([&](int v) { return sound[v]; });
+    if (drawn.triangles.rows() == 0)
+        throw InvalidInput("no-faces", "The model has no faces, and its points make no surface.");
+    drawn.polygon_of_triangle.resize(drawn.triangles.rows());
+    std::iota(drawn.polygon_of_triangle.begin(), drawn.polygon_of_triangle.end(), 0);
+    return drawn;
 }
 
 /// Height per longest side of each triangle; 0 where it is a point.
@@ -174,7 +192,10 @@ WorkingMesh make_working_mesh(const PolygonMesh& source) {
     const std::vector<bool> finite = finite_vertices(source.points);
     report_unusable(source, finite, report);
 
-    Triangulation drawn = triangulate(source);
+    const bool has_faces = source.face_count() > 0;
+    Triangulation drawn = has_faces ? triangulate(source) : through_points(source.points, finite);
+    if (!has_faces)
+        report.add("points-only", where(std::vector<bool>(n, true)), true);
     out.display = drawn.triangles;
     out.polygon_of_display = drawn.polygon_of_triangle;
     if (out.display.rows() == 0)

@@ -94,11 +94,11 @@ export class CurvesActions {
   }
 
   setTwist(grip: Grip, degrees: number): void {
-    this.#preview('twist', grip, (step) => tools.setTwist(step, grip, degrees));
+    this.#preview('twist', grip, (step) => tools.setTwist(step, grip, degrees, this.own.range.peek()));
   }
 
   setScale(grip: Grip, factors: [number, number]): void {
-    this.#preview('scale', grip, (step) => tools.setScale(step, grip, factors));
+    this.#preview('scale', grip, (step) => tools.setScale(step, grip, factors, this.own.range.peek()));
   }
 
   setPoint(grip: Grip, to: readonly [number, number, number]): void {

@@ -63,6 +63,10 @@ export class AppCurvesHost implements CurvesHost {
     return this.own.gizmo.peek() === 'ends';
   }
 
+  range(): number {
+    return this.own.range.peek();
+  }
+
   hover(grip: Grip | null): void {
     const { under } = this.own;
     const before = under.peek();

@@ -31,6 +31,8 @@ export class CurvesState {
   readonly kind = signal<'skeleton' | 'surface'>('skeleton');
   /** A drag moves the chain up to the point. */
   readonly reach = signal(false);
+  /** How many neighbours on either side share a twist or a width. */
+  readonly range = signal(0);
   /** Ids of curves that are not drawn. */
   readonly hidden = signal<ReadonlySet<string>>(new Set());
   /** The stroke under way, and the curve that it would become. */

@@ -70,7 +70,10 @@ export function mountCurves(
       const matrix = shown
         ? gizmoFrame({ step, selected: grip, parents, anchors: anchors!, size: 1 }, grip)
         : null;
-      viewport.setGizmo(matrix && mode !== 'ends' ? { matrix, mode: GIZMO[mode] } : null, gizmo);
+      viewport.setGizmo(
+        matrix && mode !== 'ends' ? { matrix, mode: GIZMO[mode], single: mode === 'twist' } : null,
+        gizmo,
+      );
     }),
   ];
   return {

@@ -87,25 +87,33 @@ export function turnFrom(
   }
   const by = aboutAxis(turn, tangentAt(points, from));
   if (Math.abs(by) < 1e-6) return turned;
-  return twistBy(turned, { curve: at, point: from }, by, (i) => follows(i) || i === from);
+  return twistBy(turned, at, by, (i) => Number(follows(i) || i === from));
 }
 
-/** Adds to the twist of control points; those that follow turn along. */
-export function twistBy(
-  step: CurvesStep,
-  { curve: at, point }: Grip,
-  degrees: number,
-  which: (i: number) => boolean = (i) => i === point,
-): CurvesStep {
+/** The share that each control point has in a change of one of them. */
+export type Share = (i: number) => number;
+
+/**
+ * The area of influence of Blanco 5.3: `range` 0 is the control point alone, 1 gives half to the next on each side, and so
+ * on, evenly.
+ */
+export const influence =
+  (point: number, range = 0): Share =>
+  (i) =>
+    Math.max(0, 1 - Math.abs(i - point) / (range + 1));
+
+/** Adds to the twist of control points. */
+export function twistBy(step: CurvesStep, at: number, degrees: number, share: Share): CurvesStep {
   const curve = step.curves[at];
   if (!curve) return step;
-  const twist = curve.rest.map((_, i) => roundTo((curve.twist?.[i] ?? 0) + (which(i) ? degrees : 0), 3));
+  const twist = curve.rest.map((_, i) => roundTo((curve.twist?.[i] ?? 0) + share(i) * degrees, 3));
   return updateCurve(step, curve.id, { twist: twist.every((x) => x === 0) ? undefined : twist });
 }
 
-export function setTwist(step: CurvesStep, grip: Grip, degrees: number): CurvesStep {
-  const now = step.curves[grip.curve]?.twist?.[grip.point ?? 0] ?? 0;
-  return twistBy(step, grip, degrees - now);
+export function setTwist(step: CurvesStep, { curve, point }: Grip, degrees: number, range = 0): CurvesStep {
+  if (point === null) return step;
+  const now = step.curves[curve]?.twist?.[point] ?? 0;
+  return twistBy(step, curve, degrees - now, influence(point, range));
 }
 
 /** How wide the limb is across the curve at a control point, in shares of its width at rest. */
@@ -113,12 +121,16 @@ export function setScale(
   step: CurvesStep,
   { curve: at, point }: Grip,
   factors: [number, number],
+  range = 0,
 ): CurvesStep {
   const curve = step.curves[at];
   if (!curve || point === null) return step;
+  const share = influence(point, range);
+  const now = curve.scale?.[point] ?? [1, 1];
   const scale = curve.rest.map((_, i): [number, number] => {
     const old = curve.scale?.[i] ?? [1, 1];
-    return i === point ? [roundTo(factors[0], 4), roundTo(factors[1], 4)] : [old[0], old[1]];
+    const grown = (side: 0 | 1) => roundTo(old[side] * (factors[side] / now[side]) ** share(i), 4);
+    return share(i) > 0 ? [grown(0), grown(1)] : [old[0], old[1]];
   });
   const even = scale.every(([a, b]) => a === 1 && b === 1);
   return updateCurve(step, curve.id, { scale: even ? undefined : scale });

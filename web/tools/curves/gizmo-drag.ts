@@ -12,7 +12,7 @@ import {
   rotationOf,
   transform,
 } from '../geometry';
-import { aboutAxis, moveCurve, movePoint, setScale, turnFrom, twistBy } from './edits';
+import { aboutAxis, influence, moveCurve, movePoint, setScale, turnFrom, twistBy } from './edits';
 import { GuardedEdit } from './guarded-edit';
 import type { CurvesHost, CurvesLabel, CurvesScene } from './host';
 import type { Grip } from './items';
@@ -81,7 +81,8 @@ export class CurveGizmoDrag implements GizmoEvents {
       }
       case 'twist': {
         const degrees = aboutAxis(turnOf(multiply(undo, matrix)), [0, 0, 1]);
-        this.#edit.offer(() => twistBy(step, grip, degrees));
+        const share = influence(grip.point ?? 0, this.host.range());
+        this.#edit.offer(() => twistBy(step, grip.curve, degrees, share));
         return;
       }
       case 'scale': {
@@ -90,7 +91,7 @@ export class CurveGizmoDrag implements GizmoEvents {
         // The axis that was pulled stands for both: across the curve a limb is as good as round.
         const by = grown.reduce((most, x) => (Math.abs(x - 1) > Math.abs(most - 1) ? x : most), 1);
         const within = (x: number): number => Math.min(20, Math.max(0.05, x));
-        this.#edit.offer(() => setScale(step, grip, [within(a * by), within(b * by)]));
+        this.#edit.offer(() => setScale(step, grip, [within(a * by), within(b * by)], this.host.range()));
       }
     }
   };

@@ -47,6 +47,8 @@ export interface CurvesHost {
   reaches(): boolean;
   /** Whether a drag moves the ends of curves along them: trims or extends. */
   slides(): boolean;
+  /** How many neighbours on either side share a twist or a width. */
+  range(): number;
   /** Shows what a press would take hold of. */
   hover(grip: Grip | null): void;
   preview(edit: CurvesEdit): void;

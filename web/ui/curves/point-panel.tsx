@@ -55,6 +55,17 @@ export function PointPanel() {
           ))}
         </span>
       </div>
+      <SliderField
+        label={t('ui.curves.point.range')}
+        value={own.range.value}
+        min={0}
+        max={8}
+        step={1}
+        digits={0}
+        onChange={(range) => {
+          own.range.value = Math.round(range);
+        }}
+      />
     </Section>
   );
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 namespace lissom {
@@ -19,9 +18,5 @@ public:
 private:
     std::vector<double> places_, values_, slopes_;
 };
-
-/// Values of control points after `amount` was added to one of them, fading over the neighbours on either side: the area of
-/// influence of Blanco 5.3. `range` 0 is the control point alone, 1 gives half to the next on each side, and so on, evenly.
-[[nodiscard]] std::vector<double> spread(std::span<const double> values, int control, double amount, int range);
 
 } // namespace lissom

@@ -48,7 +48,9 @@ struct WorkingMesh {
 
 /// Makes the working copy and the report.
 ///
-/// Findings (code: what is done): `non-finite-vertex` (left alone, its faces left out),
+/// Points without faces get a surface to work on (`surface_through`); what goes out are the points.
+///
+/// Findings (code: what is done): `points-only` (a surface drawn through them), `non-finite-vertex` (left alone, its faces left out),
 /// `index-out-of-range` (face left out), `face-too-small` (fewer than three different corners, left out),
 /// `zero-area-face` (kept where its corners differ; collapsed, and then repaired, where welding makes them equal),
 /// `duplicate-vertices` (exact equals of an earlier vertex: welded), `near-duplicate-vertices` (within 1e-6 of the
