@@ -38,6 +38,7 @@ uniform sampler2D heatMap;
 uniform bool paintShown;
 uniform vec3 interior;
 uniform bool inwards;
+uniform float insideShown;
 uniform vec3 brushCentre;
 uniform vec3 brushNormal;
 uniform vec3 brushSide;
@@ -77,7 +78,7 @@ vec4 over = vec4(0.0);
   // Only where one looks into it: along an outline near and far side are as one.
   vec3 across = normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition)));
   float open_ = smoothstep(0.06, 0.3, abs(dot(across, normalize(vViewPosition))));
-  if (gl_FrontFacing == inwards) base = mix(base, interior, 0.85 * open_);
+  if (gl_FrontFacing == inwards) base = mix(base, interior, 0.85 * insideShown * open_);
   if (regionCount > 0) {
     paintRegion(vRegionsLow.x, regionFill[0], regionLine[0], regionWidth[0], base, over);
     paintRegion(vRegionsLow.y, regionFill[1], regionLine[1], regionWidth[1], base, over);

@@ -25,7 +25,7 @@ import {
   VERTEX_DECLARATIONS,
 } from './surface-glsl';
 import type { SurfaceShade } from './surface-shade';
-import type { DisplayOptions, Hit } from './values';
+import type { DisplayOptions, Hit, ViewModel } from './values';
 import type { ViewSpace } from './view-space';
 
 /** Over clay in either theme. */
@@ -55,6 +55,7 @@ export class SurfaceMaterials {
     paintShown: { value: false },
     interior: { value: new Color(INTERIOR) },
     inwards: { value: false },
+    insideShown: { value: 1 },
     brushCentre: { value: new Vector3() },
     brushNormal: { value: new Vector3(0, 1, 0) },
     brushSide: { value: new Vector3(1, 0, 0) },
@@ -79,6 +80,12 @@ export class SurfaceMaterials {
       material.needsUpdate = true;
     }
     return material;
+  }
+
+  /** Which side is the inside; points without faces have none. */
+  setSides({ inwards, model }: { readonly inwards: boolean; readonly model: ViewModel }): void {
+    this.uniforms.inwards.value = inwards;
+    this.uniforms.insideShown.value = model.faceOffsets.length > 1 ? 1 : 0;
   }
 
   setChannels(channels: readonly Channel[], palette: Palette): void {

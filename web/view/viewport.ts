@@ -119,7 +119,7 @@ export class Viewport implements ViewportPort {
       const view = new ModelView(model);
       this.#view = view;
       this.#picker = new Picker(view);
-      this.#materials.uniforms.inwards.value = view.inwards;
+      this.#materials.setSides(view);
       this.#scene.add(view.mesh);
     }
     this.#stage.setModel(this.#view && { space: this.#view.space, places: this.#view.places() });

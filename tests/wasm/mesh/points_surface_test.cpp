@@ -90,6 +90,10 @@ TEST_CASE("even points on a sphere become a closed sphere") {
     CHECK(q.closed > 0.999);
     CHECK(q.tilt < 5);
     CHECK(triangles.rows() >= 2 * 3000 - 10);
+    for (int t = 0; t < triangles.rows(); ++t) {
+        const auto p = [&](int k) -> Vector3d { return points.row(triangles(t, k)); };
+        CHECK((p(1) - p(0)).cross(p(2) - p(0)).dot(p(0)) > 0);
+    }
 }
 
 TEST_CASE("points anywhere on a torus become a torus with few gaps") {

@@ -210,6 +210,7 @@ TEST_CASE("points alone get a surface to work on, and stay points") {
     CHECK(working.display.rows() == std::ssize(working.polygon_of_display));
     CHECK(working.display.maxCoeff() < source.vertex_count());
     CHECK(working.oriented);
+    CHECK(working.findings.size() == 2); // nothing is said of a surface that the file does not hold
 }
 
 TEST_CASE("inputs without a surface are refused by name") {

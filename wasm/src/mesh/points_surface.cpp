@@ -1,6 +1,8 @@
 #include "lissom/mesh/points_surface.h"
 
+#include "lissom/mesh/orientation.h"
 #include "lissom/mesh/point_tree.h"
+#include "lissom/mesh/topology.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -241,6 +243,28 @@ std::vector<Wish> wishes(const Points& points) {
     return wished;
 }
 
+/// Lets neighbours agree, and each piece enclose more than nothing.
+void face_outwards(TriangleMesh& mesh) {
+    const Orientation facing = orient(mesh);
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (facing.turned[t]) std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2));
+    const Components parts = components(vertex_rings(mesh));
+    std::vector<Vector3d> middle(parts.count, Vector3d::Zero());
+    std::vector<double> count(parts.count, 0), volume(parts.count, 0);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        middle[parts.of_vertex[v]] += Vector3d(mesh.points.row(v));
+        ++count[parts.of_vertex[v]];
+    }
+    for (int c = 0; c < parts.count; ++c) middle[c] /= count[c];
+    const auto part_of = [&](int t) { return parts.of_vertex[mesh.triangles(t, 0)]; };
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const auto arm = [&](int k) -> Vector3d { return Vector3d(mesh.points.row(mesh.triangles(t, k))) - middle[part_of(t)]; };
+        volume[part_of(t)] += arm(0).dot(arm(1).cross(arm(2)));
+    }
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+        if (volume[part_of(t)] < 0) std::swap(mesh.triangles(t, 1), mesh.triangles(t, 2));
+}
+
 } // namespace
 
 Triangles surface_through(const Points& points) {
@@ -253,10 +277,11 @@ Triangles surface_through(const Points& points) {
     for (const Wish& wish : wishes(apart)) growing.offer(wish.corners);
     std::vector<Corners> taken = std::move(growing).taken();
     std::sort(taken.begin(), taken.end());
-    Triangles out(std::ssize(taken), 3);
+    TriangleMesh mesh{std::move(apart), Triangles(std::ssize(taken), 3)};
     for (std::size_t t = 0; t < taken.size(); ++t)
-        for (int k = 0; k < 3; ++k) out(static_cast<Eigen::Index>(t), k) = first[taken[t][k]];
-    return out;
+        for (int k = 0; k < 3; ++k) mesh.triangles(static_cast<Eigen::Index>(t), k) = taken[t][k];
+    face_outwards(mesh);
+    return mesh.triangles.unaryExpr([&](int v) { return first[v]; });
 }
 
 } // namespace lissom

@@ -64,6 +64,11 @@ void check(const PolygonMesh& source) {
         throw InvalidInput("bad-offsets", "The faces' offsets do not fit their corners.");
 }
 
+bool about_points(const Finding& finding) {
+    static const std::vector<std::string> codes{"points-only", "non-finite-vertex", "duplicate-vertices", "far-from-origin"};
+    return std::find(codes.begin(), codes.end(), finding.code) != codes.end();
+}
+
 /// A surface for points without faces: each of its triangles counts as a face of its own.
 /// @throws InvalidInput `no-faces` where they make none
 Triangulation through_points(const Points& points, const std::vector<bool>& finite) {
@@ -247,6 +252,9 @@ WorkingMesh make_working_mesh(const PolygonMesh& source) {
     describe(out, report);
     report.add("needle-face", faces_of(needles, out.polygon_of_triangle), false);
     out.findings = report.take();
+    // What the surface drawn through points is like is not the file's doing.
+    if (!has_faces)
+        std::erase_if(out.findings, [](const Finding& f) { return !about_points(f); });
     return out;
 }
 

@@ -12,9 +12,12 @@ export function ModelPanel() {
     <Section title={t('ui.model')}>
       <p class="model-name">{facts.name}</p>
       <p class="muted">
-        {t('ui.model.counts', { vertices: facts.vertices, faces: facts.faces })}
-        <br />
-        {facts.closed ? t('ui.model.closed') : t('ui.model.open', { loops: facts.boundaryLoops })}
+        {facts.faces === 0
+          ? t('ui.model.points', { points: facts.vertices })
+          : t('ui.model.counts', { vertices: facts.vertices, faces: facts.faces })}
+        {facts.faces > 0 && <br />}
+        {facts.faces > 0 &&
+          (facts.closed ? t('ui.model.closed') : t('ui.model.open', { loops: facts.boundaryLoops }))}
         {facts.components > 1 && ` · ${t('ui.model.parts', { count: formatNumber(facts.components) })}`}
       </p>
       {findings.length > 0 && (

@@ -12,7 +12,7 @@ namespace lissom {
 /// that lie on one another. Neighbours much farther away than the others, or around an empty corner, are left out: a border. Sheets stay apart
 /// where five of their spacings lie between them.
 ///
-/// Even spacing is not needed, an orientation neither; the triangles face as they happen to. Points in rows have no preferred
+/// Even spacing is not needed, an orientation neither: neighbours agree, and pieces that enclose something face outwards. Points in rows have no preferred
 /// diagonal: they get the same one everywhere. Independent of scale and motion, but for clouds whose own axes are not
 /// decided.
 /// Linear but for sorting: a hundred thousand points in under a second.
