@@ -340,7 +340,6 @@ const REFUSED: Readonly<Record<string, string>> = {
   'points.xyz': 'format-unknown',
   'truncated_body.ply': 'file-truncated',
   'truncated_header.ply': 'file-truncated',
-  'zero_faces.ply': 'no-faces',
 };
 
 describe.skipIf(collected.length === 0)('of the collected files', () => {
