@@ -223,7 +223,7 @@ const moebius = () =>
 
 /** Three sheets that share one upright edge. */
 function sheets() {
-  const leaves = [0, 120, 240].map((degrees) => {
+  const leaves = [90, 210, 330].map((degrees) => {
     const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
     return sheet(40, 40, (out, up) => [out * c, 1.2 * (up - 0.5), out * s]);
   });

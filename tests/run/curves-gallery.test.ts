@@ -54,6 +54,8 @@ function vertices(name: string): { readonly rest: Point; readonly now: Point }[]
     now: pointAt(model.positions, v),
   }));
 }
+/** What rests is moved by the identity, to rounding. */
+const STILL = 1e-12;
 const farthest = (list: readonly { rest: Point; now: Point }[]) =>
   list.reduce((most, { rest, now }) => Math.max(most, gap(rest, now)), 0);
 
@@ -106,7 +108,7 @@ describe.each(given)('$name', ({ name, recipe, model }) => {
 
 test('the octopus rolls up its arms, and its head stays', () => {
   const list = vertices('curves-octopus');
-  expect(farthest(list.filter(({ rest }) => rest[1] > 0.7))).toBe(0);
+  expect(farthest(list.filter(({ rest }) => rest[1] > 0.7))).toBeLessThan(STILL);
   expect(farthest(list)).toBeGreaterThan(0.8);
 });
 
@@ -115,7 +117,7 @@ test('bones of the horse stay straight: their vertices keep their distances', ()
     ({ rest: [x, y, z] }) => x > 0 && y > 0.3 && y < 0.46 && z > 0.4,
   );
   expect(shank.length).toBeGreaterThan(100);
-  expect(farthest(shank)).toBeGreaterThan(0.2);
+  expect(farthest(shank)).toBeGreaterThan(0.15);
   for (const a of shank.slice(0, 20))
     for (const b of shank)
       expect(Math.abs(gap(a.now, b.now) - gap(a.rest, b.rest))).toBeLessThan(0.01 * 0.426);
@@ -147,16 +149,16 @@ describe('the walk', () => {
 
 test('the tips of the ears are drawn out, the head stays', () => {
   const list = vertices('curves-ears');
-  expect(farthest(list.filter(({ rest }) => Math.abs(rest[0]) < 0.05))).toBe(0);
+  expect(farthest(list.filter(({ rest }) => Math.abs(rest[0]) < 0.07))).toBeLessThan(STILL);
   expect(farthest(list)).toBeGreaterThan(0.03);
 });
 
-test('the brow is raised; the eyes, the other brow and the skull stay', () => {
+test('the brow is raised; the other one, the mouth and the skull stay', () => {
   const list = vertices('curves-brow');
   const height = 0.272;
   expect(farthest(list)).toBeGreaterThan(0.02 * height);
-  const still = list.filter(({ rest: [x, y, z] }) => x < -0.01 || y < 0.16 || z < 0.02);
-  expect(farthest(still)).toBeLessThan(0.002 * height);
+  const still = list.filter(({ rest: [x, y, z] }) => x < -0.025 || y < 0.13 || z < 0.05);
+  expect(farthest(still)).toBeLessThan(STILL);
 });
 
 test('what meets at the seam of the one-sided band still meets there', () => {
@@ -174,10 +176,10 @@ test('what meets at the seam of the one-sided band still meets there', () => {
 test('of three sheets two bend, the third and the edge stay', () => {
   const list = vertices('curves-sheets');
   const edge = list.filter(({ rest: [x, , z] }) => Math.hypot(x, z) < 1e-6);
-  const third = list.filter(({ rest: [x, , z] }) => Math.hypot(x, z) > 0 && z < -0.5 * Math.hypot(x, z));
+  const third = list.filter(({ rest: [x, , z] }) => Math.hypot(x, z) > 1e-6 && x > 0.5 * Math.hypot(x, z));
   expect(edge.length).toBeGreaterThan(20);
   expect(third.length).toBeGreaterThan(1000);
-  expect(farthest([...edge, ...third])).toBe(0);
+  expect(farthest([...edge, ...third])).toBeLessThan(STILL);
   expect(farthest(list)).toBeGreaterThan(0.5);
 });
 

@@ -45,7 +45,7 @@ export function sheets() {
     const posed = bent(rest, [0, 1, 0], (k) => (k === 0 ? 0 : each));
     return curve(id, rest, { posed, anchor: 'start' }, 'surface');
   };
-  return curvesRecipe('sheets', [turned('first leaf', 90, 26), turned('second leaf', 210, -18)]);
+  return curvesRecipe('sheets', [turned('first leaf', 90, -24), turned('second leaf', 210, -20)]);
 }
 
 /** One curve from tail to head, though the snake is cut through: it winds on the ground and rears up. */
