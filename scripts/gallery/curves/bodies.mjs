@@ -169,7 +169,7 @@ function bump(phase, centre, width) {
 /** @param phase  of a leg, from 0 to 1: its heel comes down at 0 and leaves the ground a little after the half */
 const legAt = (phase) => ({
   root: [[X, -24 * Math.cos(2 * Math.PI * phase) - 14 * bump(phase, 0.8, 0.25)]],
-  middle: [[X, 5 + 10 * bump(phase, 0.15, 0.15) + 52 * bump(phase, 0.7, 0.25)]],
+  middle: [[X, 5 + 10 * bump(phase, 0.15, 0.15) + 50 * bump(phase, 0.75, 0.22)]],
 });
 /** An arm goes with the leg of the other side. @param side  1: left, -1: right */
 const armAt = (phase, side) => ({
