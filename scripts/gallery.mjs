@@ -2,6 +2,7 @@
 // the recipes can be made again when a model changes. Run by hand: node scripts/gallery.mjs
 
 import { writeFileSync } from 'node:fs';
+import { curveExamples } from './gallery/curves.mjs';
 import { deformExamples, firstRecipe } from './gallery/deform.mjs';
 import { hairExamples } from './gallery/hair.mjs';
 import { isolineExamples } from './gallery/isolines.mjs';
@@ -21,12 +22,16 @@ const models = [
   ['cow', 'Cow', OWN],
   ['dog', 'Dog', OWN],
   ['squid', 'Squid', OWN],
+  ['cactus', 'Cactus', OWN],
   ['bar', 'Bar', OWN],
   ['loops', 'Loops', OWN],
   ['wings', 'Wings', OWN],
   ['key', 'Key', OWN],
   ['pipes', 'Pipes', OWN],
   ['block', 'Block', OWN],
+  ['moebius', 'Möbius strip', OWN],
+  ['sheets', 'Three sheets', OWN],
+  ['snake', 'Snake in two', OWN],
   ['body-female', 'Body, female', HUMAN],
   ['body-male', 'Body, male', HUMAN],
   ['head-female', 'Head, female', HUMAN],
@@ -39,6 +44,7 @@ const examples = [
   ...isolineExamples(),
   ...mergeExamples(),
   ...transferExamples(),
+  ...(await curveExamples()),
   ...hairExamples(),
 ];
 

@@ -1,4 +1,5 @@
-// The gallery's models by formula: parts made to be merged with others, and one of four holes. Writes
+// The gallery's models by formula: parts made to be merged with others, one of four holes, and
+// what curves bend though it has one side, three at an edge, or is in two pieces. Writes
 // public/gallery/<name>.ply. Run by hand when a shape changes, and scripts/gallery.mjs after it:
 // node scripts/gallery/parts.mjs [name ...]
 
@@ -222,22 +223,72 @@ const moebius = () =>
 
 /** Three sheets that share one upright edge. */
 function sheets() {
-  const leaves = [0, 120, 240].map((degrees) => {
+  const leaves = [90, 210, 330].map((degrees) => {
     const [c, s] = [Math.cos((degrees * Math.PI) / 180), Math.sin((degrees * Math.PI) / 180)];
-    return sheet(48, 48, (out, up) => [out * c, 1.2 * (up - 0.5), out * s]);
+    return sheet(40, 40, (out, up) => [out * c, 1.2 * (up - 0.5), out * s]);
   });
   const points = [...leaves[0].points];
   const triangles = [...leaves[0].triangles];
   for (const leaf of leaves.slice(1)) {
     // The first row is the edge: it is there already.
-    const shift = points.length - 49;
-    points.push(...leaf.points.slice(49));
-    triangles.push(...leaf.triangles.map((corners) => corners.map((v) => (v < 49 ? v : v + shift))));
+    const shift = points.length - 41;
+    points.push(...leaf.points.slice(41));
+    triangles.push(...leaf.triangles.map((corners) => corners.map((v) => (v < 41 ? v : v + shift))));
   }
   return { points, triangles };
 }
 
-const shapes = { pipes, block, key, wings, loops, moebius, sheets };
+/** A cactus with ribs along its trunk and two arms, which grow out and turn upwards in a quarter circle. */
+function cactus() {
+  /** @param off  from the axis: at the rounded ends the ribs run out towards it */
+  const ribbed = (far, angle, [radius, count], off) =>
+    far - radius * (1 + 0.07 * clamp(off / radius) * Math.cos(count * angle));
+  const trunk = ([x, y, z]) => {
+    const far = Math.hypot(x, z, Math.max(0, y - 1.86));
+    return Math.max(ribbed(far, Math.atan2(z, x), [0.25, 12], Math.hypot(x, z)), 0.028 - y);
+  };
+  const arm = ([x, y, z], { side, low, out, turn, high, radius }) => {
+    const [a, cx, cy] = [side * x, out - turn, low + turn];
+    // How far off the arm's axis, away from the centre of the turn.
+    const w = a < cx ? low - y : y < cy ? Math.hypot(a - cx, y - cy) - turn : a - out;
+    const far = Math.hypot(w, z, a >= cx ? Math.max(0, y - high) : Math.max(0, -a));
+    return ribbed(far, Math.atan2(z, w), [radius, 8], Math.hypot(w, z));
+  };
+  return implicitSurface({
+    low: [-0.812, 0, -0.336],
+    high: [0.924, 2.184, 0.336],
+    cell: 0.028,
+    inside: (...p) =>
+      blend(
+        0.09,
+        trunk(p),
+        arm(p, { side: 1, low: 0.8, out: 0.7, turn: 0.28, high: 1.5, radius: 0.125 }),
+        arm(p, { side: -1, low: 1.08, out: 0.6, turn: 0.25, high: 1.64, radius: 0.112 }),
+      ),
+  });
+}
+
+/** A snake along x, its head to the front, cut across in two: both pieces are closed. */
+function snake() {
+  const [tail, head] = [-2.1, 1.75];
+  return implicitSurface({
+    low: [-2.275, -0.315, -0.315],
+    high: [2.31, 0.315, 0.315],
+    cell: 0.035,
+    inside: (...p) => {
+      const [x, y, z] = p;
+      const t = clamp((x - tail) / (head - tail));
+      const radius = 0.05 + 0.17 * Math.min(1, t / 0.6) ** 0.8 - 0.07 * clamp((t - 0.7) / 0.3) ** 2;
+      const body = 0.9 * (Math.hypot(x - tail - t * (head - tail), y, z) - radius);
+      const skull = Math.hypot((x - 1.88) / 1.45, y / 0.72, z) - 0.22;
+      const eye = Math.hypot(x - 1.98, y - 0.11, Math.abs(z) - 0.15) - 0.055;
+      const whole = blend(0.02, blend(0.15, body, 0.8 * skull), eye);
+      return -blend(0.04, -whole, Math.abs(x - 0.6) - 0.08);
+    },
+  });
+}
+
+const shapes = { pipes, block, key, wings, loops, moebius, sheets, cactus, snake };
 const wanted = process.argv.slice(2);
 for (const [name, shape] of Object.entries(shapes)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;

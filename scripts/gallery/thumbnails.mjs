@@ -16,6 +16,8 @@ mkdirSync(new URL('thumbnails/', gallery), { recursive: true });
 
 const wanted = process.argv.slice(2);
 const all = [...examples, ...models].filter(({ name }) => wanted.length === 0 || wanted.includes(name));
+/** Faces are looked at from near, a little from the side. */
+const OF_FACE = /^face-|^curves-(brow|ears)$/;
 const isHair = ({ name }) => name.startsWith('hair-');
 await pictures(
   all.filter((entry) => !isHair(entry)),
@@ -49,7 +51,7 @@ async function pictures(entries, ofHair) {
       }, name);
       // A card needs less air around a model than a gizmo does.
       await page.evaluate(bare, { distance: 0.87 });
-      if (name.startsWith('face-')) await page.evaluate(cameraOnHead, { azimuth: 18, share: 0.82 });
+      if (OF_FACE.test(name)) await page.evaluate(cameraOnHead, { azimuth: 18, share: 0.82 });
       if (ofHair) {
         await page.evaluate(cameraOnHead);
         await page.evaluate(strandShare, 1);

@@ -76,6 +76,8 @@ export async function bare({ view = 'home', distance = 1, camera }) {
   app.state.display.value = { ...app.state.display.value, grid: false };
   const hair = app.wings.get('hair')?.state;
   if (hair) hair.show.value = { ...hair.show.value, curves: false, support: false };
+  const curves = app.wings.get('curves')?.state;
+  if (curves) curves.hidden.value = new Set(curves.step.peek()?.curves.map(({ id }) => id));
   await drawn();
   app.viewport.setRegions([]);
   app.viewport.setView(view);

@@ -80,3 +80,16 @@ test('between two poses a limb swings without getting shorter, and both ends are
   expect(poses.betweenPoses(STEP, up, side, 1).curves[0]!.posed).toBe(across);
   expect(poses.betweenPoses(STEP, up, side, 0).curves[0]!.posed).toBeUndefined();
 });
+
+test('poses begin when they say, and a last one like the first closes the round without a pause', () => {
+  const pose = (name: string, twist: number[], time?: number) => ({
+    name,
+    curves: [{ id: 'a', twist }],
+    ...(time !== undefined && { time }),
+  });
+  const [one, two] = [pose('One', [0, 0, 9]), pose('Two', [0, 0, 20], 0.3)];
+  expect(poses.beginnings([one, two])).toEqual([0, 0.3, 1.1]);
+  expect(poses.beginnings([one, two, pose('Three', [0, 0, 30], 0.6)])).toEqual([0, 0.3, 0.6, 1.4]);
+  expect(poses.beginnings([one, two, pose('One again', [0, 0, 9], 0.6)])).toEqual([0, 0.3, 0.6, 0.6]);
+  expect(poses.beginnings([one, pose('One again', [0, 0, 9], 0.3)])).toEqual([0, 0.3, 1.1]);
+});

@@ -139,13 +139,18 @@ export const standsIn = (step: CurvesStep, pose: CurvePose): boolean =>
 /** Seconds from one pose to the next that says no time. */
 const PACE = 0.8;
 
-/** When each pose is reached, in seconds, and when the first is again. */
-export function beginnings(poses: readonly { readonly time?: number | undefined }[]): number[] {
+/**
+ * When each pose is reached, in seconds, and when the first is again: at once where the last is the first once more, which
+ * closes a round.
+ */
+export function beginnings(poses: readonly Pick<CurvePose, 'time' | 'curves'>[]): number[] {
   const out: number[] = [];
   for (const { time } of poses) {
     const before = out.at(-1);
     if (before === undefined) out.push(0);
     else out.push(time !== undefined && time > before ? time : before + PACE);
   }
-  return [...out, out.at(-1)! + PACE];
+  const closed =
+    poses.length > 2 && JSON.stringify(poses.at(-1)!.curves) === JSON.stringify(poses[0]!.curves);
+  return [...out, out.at(-1)! + (closed ? 0 : PACE)];
 }
