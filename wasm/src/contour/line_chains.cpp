@@ -35,8 +35,11 @@ std::vector<LineChain> chained(const std::vector<LinePiece>& pieces) {
         LineChain chain;
         int end = from_end;
         const auto put = [&](int e) {
-            chain.points.push_back(pieces[e / 2].ends[e % 2]);
-            chain.values.push_back(pieces[e / 2].values[e % 2]);
+            const LinePiece& piece = pieces[e / 2];
+            chain.points.push_back(piece.ends[e % 2]);
+            chain.triangles.push_back(piece.triangle);
+            chain.weights.push_back(piece.weights[e % 2]);
+            chain.values.push_back(piece.values[e % 2]);
         };
         put(end);
         while (end >= 0 && !used[end / 2]) {
@@ -47,6 +50,8 @@ std::vector<LineChain> chained(const std::vector<LinePiece>& pieces) {
         if (end >= 0) { // back at the start
             chain.closed = true;
             chain.points.pop_back();
+            chain.triangles.pop_back();
+            chain.weights.pop_back();
             chain.values.pop_back();
         }
         chains.push_back(std::move(chain));
@@ -105,6 +110,8 @@ std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, 
         LineChain part;
         for (std::size_t i = from; i <= to; ++i) {
             part.points.push_back(chain.points[i % n]);
+            part.triangles.push_back(chain.triangles[i % n]);
+            part.weights.push_back(chain.weights[i % n]);
             part.values.push_back(chain.values[i % n]);
         }
         if (part.points.size() > 1) parts.push_back(std::move(part));

@@ -3,6 +3,7 @@
 #include "lissom/contour/curvature.h"
 #include "lissom/mesh/working_mesh.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -23,10 +24,17 @@ struct LineOptions {
     double bend = 0.05;         ///< of the model's radius
 };
 
+/// A place on the surface that stays the same place when the surface moves.
+struct SurfacePlace {
+    std::array<int, 3> corners{}; ///< source vertices of its triangle
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< of each, summing to 1
+};
+
 struct ContourLine {
     enum class Kind { contour, suggestive } kind = Kind::contour;
     bool closed = false;
     std::vector<Eigen::Vector3d> points; ///< source space, where the line crosses the mesh's edges (and where it ends within a triangle)
+    std::vector<SurfacePlace> places;    ///< of each point: Σ weight · corner is the point
     double length = 0;                   ///< source units
     double strength = 0;                 ///< mean D R² of a suggestive line
 };
