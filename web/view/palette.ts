@@ -19,6 +19,10 @@ export interface Palette {
   readonly shadowStrength: number;
   readonly wire: string;
   readonly wireStrength: number;
+  /** A drawing with a pen: what it is drawn on, where that turns away, and the lines. */
+  readonly paper: string;
+  readonly paperEdge: string;
+  readonly ink: string;
   readonly panel: string;
   readonly warn: string;
   readonly tints: Readonly<Record<Tint, string>>;
@@ -40,6 +44,9 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     shadowStrength: 0.62,
     wire: '#14161a',
     wireStrength: 0.42,
+    paper: '#d8d4cb',
+    paperEdge: '#a5a299',
+    ink: '#15171a',
     panel: '#1d2025',
     warn: '#f0a843',
     tints: {
@@ -61,6 +68,9 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     shadowStrength: 0.4,
     wire: '#1b1f24',
     wireStrength: 0.4,
+    paper: '#fcfbf8',
+    paperEdge: '#e3e1dc',
+    ink: '#1f242a',
     panel: '#ffffff',
     warn: '#b36b00',
     tints: {

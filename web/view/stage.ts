@@ -1,4 +1,4 @@
-import type { BufferGeometry, Scene, WebGLRenderer } from 'three';
+import { type BufferGeometry, Group, type Scene, type WebGLRenderer } from 'three';
 import { Background } from './background';
 import { Grid } from './grid';
 import { GroundShadow } from './ground-shadow';
@@ -10,6 +10,7 @@ import type { ViewSpace } from './view-space';
 export class Stage {
   readonly #background = new Background();
   readonly #grid = new Grid();
+  readonly #floor = new Group();
   readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [1.6, 0.8] });
   readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [1.8, 1] });
   readonly #studio: Studio;
@@ -26,13 +27,8 @@ export class Stage {
     if (plain) scene.add(evenLight());
     else scene.environment = this.#studio.environment();
     scene.environmentIntensity = ENVIRONMENT;
-    scene.add(
-      this.#background.mesh,
-      this.#contact.mesh,
-      this.#cast.mesh,
-      this.#grid.mesh,
-      this.#studio.lights,
-    );
+    this.#floor.add(this.#contact.mesh, this.#cast.mesh, this.#grid.mesh);
+    scene.add(this.#background.mesh, this.#floor, this.#studio.lights);
     this.setModel(undefined);
   }
 
@@ -46,6 +42,11 @@ export class Stage {
 
   showGrid(shown: boolean): void {
     this.#grid.mesh.visible = shown;
+  }
+
+  /** Grid and shadows. */
+  showGround(shown: boolean): void {
+    this.#floor.visible = shown;
   }
 
   /** The ground lies just below the lowest of the model's places (3 numbers each, drawn units). */
