@@ -9,6 +9,7 @@ import { type Grip, gripOf } from '../../tools/curves/items';
 import type { Mat4 } from '../../tools/geometry';
 import type { Line } from '../../tools/stroke/polyline';
 import type { State } from '../state';
+import { ContoursState } from './contours/state';
 
 /** What came of the last pose. Times in milliseconds. */
 export interface CurvesFigures {
@@ -45,12 +46,16 @@ export class CurvesState {
   /** The pose that is blended towards, and how far. */
   readonly playing = signal(false);
 
-  constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
+  readonly contours: ContoursState;
+
+  constructor(state: Pick<State, 'recipe' | 'selection' | 'tool' | 'workspace'>) {
+    const { recipe, selection } = state;
     this.step = computed(() => stepOf(recipe.value, selection.value.step, 'curves'));
     this.grip = computed(() => {
       const grip = gripOf(selection.value.item);
       const curve = grip && this.step.value?.curves[grip.curve];
       return curve && (grip.point ?? 0) < curve.rest.length ? grip : null;
     });
+    this.contours = new ContoursState(state, this.step);
   }
 }

@@ -16,6 +16,7 @@ import { PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import type { CurvesActions } from './actions';
+import { mountContours } from './contours/view-sync';
 import { AppCurvesHost } from './host';
 import type { CurvesState } from './state';
 
@@ -40,7 +41,9 @@ export function mountCurves(
   const gizmo = new CurveGizmoDrag(host, () => own.gizmo.peek());
   const painted = new PaintedRegions(viewport);
   const stops = [
-    effect(() => lines.port.setLines([...curvesShown(own), ...strokeShown(own)])),
+    effect(() =>
+      lines.port.setLines(own.contours.on.value ? [] : [...curvesShown(own), ...strokeShown(own)]),
+    ),
     effect(() => {
       const evaluation = evaluator.result.value;
       const step = own.step.value;
@@ -48,7 +51,7 @@ export function mountCurves(
         painted.clear();
         return;
       }
-      painted.show(evaluation.shown, regionsShown(own));
+      painted.show(evaluation.shown, own.contours.on.value ? [] : regionsShown(own));
     }),
     effect(() => {
       const grip = own.grip.value;
@@ -68,11 +71,13 @@ export function mountCurves(
       viewport.setGizmo(matrix && { matrix, mode: GIZMO[mode] }, gizmo);
     }),
   ];
+  const contours = mountContours(viewport, parts, own, actions.hand);
   return {
     tools: {
       'pose-curves': new PoseTool(host),
       'sketch-curve': new SketchTool(host),
       'link-curves': new LinkTool(host),
+      contours: contours.tool,
     },
     cancel: () => {
       gizmo.onCancel();
@@ -81,6 +86,7 @@ export function mountCurves(
     unmount: () => {
       actions.player.stop();
       for (const stop of stops) stop();
+      contours.unmount();
       painted.clear();
       lines.unmount();
       viewport.setGizmo(null);
