@@ -244,16 +244,6 @@ test('by light the drawing is ink on white', async ({ page, baseURL }) => {
   await desk.picture('contours-light-picked');
 });
 
-test('points without faces have no lines, and that is said', async ({ fresh: desk }) => {
-  const { page } = desk;
-  const cloud = Array.from({ length: 60 }, (_, i) => `v ${Math.cos(i)} ${Math.sin(i)} ${i / 20}`).join('\n');
-  await desk.choose(['cloud.obj', `${cloud}\n`]);
-  await page.getByRole('navigation').getByRole('button', { name: 'Curves', exact: true }).click();
-  await desk.settled();
-  await page.keyboard.press('n');
-  await expect(page.getByText('has no faces, so it has no contours').first()).toBeVisible();
-});
-
 test('lines of 50,000 vertices follow the view ten times a second', async ({ fresh: desk }) => {
   const { page } = desk;
   await page.setViewportSize({ width: 640, height: 420 });

@@ -15,11 +15,13 @@ const MODEL: Model = {
     return [r * Math.cos(t), 2 * s, r * Math.sin(t)];
   }),
 };
-const BELT = Array.from({ length: 7 }, (_, k): [number, number, number] => {
-  const t = 1.2 + 0.12 * k;
-  const r = (1 - 0.5 ** 6) * (1 + 0.25 * Math.sin(3.5));
-  return [r * Math.cos(t), 1, r * Math.sin(t)];
-});
+const beltAt = (s: number) =>
+  Array.from({ length: 7 }, (_, k): [number, number, number] => {
+    const t = 1.2 + 0.12 * k;
+    const r = (1 - s ** 6) * (1 + 0.25 * Math.sin(7 * s));
+    return [r * Math.cos(t), 2 * s, r * Math.sin(t)];
+  });
+const BELT = beltAt(0.5);
 const BY = [0.1, 0.05, 0.2] as const;
 const recipeOf = (more: object = {}) =>
   parseRecipe(
@@ -87,12 +89,15 @@ test('a pull moves every vertex by its weight, nothing beyond the reach', async 
   expect(Math.max(...weights)).toBeCloseTo(1, 5);
 });
 
-test('a held line beside it keeps what lies beyond', async () => {
-  const above = BELT.map(([x, y, z]): [number, number, number] => [x, y + 0.12, z]);
+test('a held line stays, and what lies across the pull from it goes along as before', async () => {
   const free = await runner.ask(recipeOf(), 's', 'pullWeights', { curve: 0 });
-  const held = await runner.ask(recipeOf({ held: [above] }), 's', 'pullWeights', { curve: 0 });
-  const sum = (weights: Float32Array, wanted: (y: number) => boolean) =>
-    weights.reduce((s, w, v) => s + (wanted(MODEL.positions[3 * v + 1]!) ? w : 0), 0);
-  expect(sum(held, (y) => y > 1.13)).toBeLessThan(0.4 * sum(free, (y) => y > 1.13));
-  expect(sum(held, (y) => y < 0.95)).toBeGreaterThan(0.9 * sum(free, (y) => y < 0.95));
+  const held = await runner.ask(recipeOf({ held: [beltAt(0.57)] }), 's', 'pullWeights', { curve: 0 });
+  const sum = (weights: Float32Array, low: number, high: number) =>
+    weights.reduce((s, w, v) => {
+      const [x, y, z] = [0, 1, 2].map((k) => MODEL.positions[3 * v + k]!) as [number, number, number];
+      const turn = Math.atan2(z, x);
+      return s + (turn > 1.3 && turn < 1.8 && y > low && y < high ? w : 0);
+    }, 0);
+  expect(sum(held, 1.11, 1.17)).toBeLessThan(0.15 * sum(free, 1.11, 1.17));
+  expect(sum(held, 0.7, 0.95)).toBeGreaterThan(0.9 * sum(free, 0.7, 0.95));
 });

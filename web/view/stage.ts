@@ -2,7 +2,7 @@ import { type BufferGeometry, Group, type Scene, type WebGLRenderer } from 'thre
 import { Background } from './background';
 import { Grid } from './grid';
 import { GroundShadow } from './ground-shadow';
-import type { Palette } from './palette';
+import { PALETTES, type Palette } from './palette';
 import { ENVIRONMENT, evenLight, KEY_SLANT, Studio } from './studio';
 import type { ViewSpace } from './view-space';
 
@@ -11,6 +11,7 @@ export class Stage {
   readonly #background = new Background();
   readonly #grid = new Grid();
   readonly #floor = new Group();
+  #palette: Palette = PALETTES.dark;
   readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [1.6, 0.8] });
   readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [1.8, 1] });
   readonly #studio: Studio;
@@ -34,7 +35,8 @@ export class Stage {
 
   setPalette(palette: Palette): void {
     this.renderer.toneMappingExposure = palette.exposure;
-    this.#background.setPalette(palette);
+    this.#palette = palette;
+    this.#paintBackground();
     this.#grid.setPalette(palette);
     this.#contact.setStrength(palette.shadowStrength);
     this.#cast.setStrength(0.6 * palette.shadowStrength);
@@ -44,9 +46,11 @@ export class Stage {
     this.#grid.mesh.visible = shown;
   }
 
-  /** Grid and shadows. */
+  /** A studio, or the bare sheet of a drawing: no grid, no shadows. */
   showGround(shown: boolean): void {
+    if (shown === this.#floor.visible) return;
     this.#floor.visible = shown;
+    this.#paintBackground();
   }
 
   /** The ground lies just below the lowest of the model's places (3 numbers each, drawn units). */
@@ -83,5 +87,11 @@ export class Stage {
   dispose(): void {
     for (const part of [this.#background, this.#grid, this.#contact, this.#cast, this.#studio])
       part.dispose();
+  }
+
+  #paintBackground(): void {
+    const { sky, floor, sheet } = this.#palette;
+    if (this.#floor.visible) this.#background.set(sky, floor);
+    else this.#background.set(...sheet);
   }
 }

@@ -73,6 +73,22 @@ test('contours are stronger than suggestive ones; open lines run out at both end
   expect([...ends.subarray(6 * 43)]).toEqual([0, 3, 0, 0, 2, 0]);
 });
 
+test('a line that was split at a corner does not run out there', () => {
+  const strokes = (corner: number) =>
+    penStrokes(
+      { offsets: Uint32Array.of(0, 11, 22), suggestive: Uint8Array.of(0, 0), closed: Uint8Array.of(0, 0) },
+      Float32Array.from([
+        ...Array.from({ length: 11 }, (_, i) => [i / 10, 0, 0]).flat(),
+        ...Array.from({ length: 11 }, (_, i) => [1, corner + i / 10, 0]).flat(),
+      ]),
+      [0, 0, 0],
+    ).looks;
+  const [joined, apart] = [strokes(0), strokes(0.01)];
+  expect(joined[4 * 9 + 3]).toBe(joined[4 * 5 + 3]);
+  expect(apart[4 * 9 + 3]).toBeLessThan(apart[4 * 5 + 3]!);
+  expect(joined[3]).toBeLessThan(joined[4 * 5 + 3]!);
+});
+
 const view = () =>
   new ModelView({
     positions: Float64Array.of(0, 0, 0, 2, 0, 0, 0, 2, 0),

@@ -216,9 +216,11 @@ struct ContourSession::State {
         for (const LineChain& whole : chained(pieces)) {
             if (whole.values.empty() || *std::max_element(whole.values.begin(), whole.values.end()) < least) continue;
             if (whole.length() < options.shortest * k_radius) continue;
-            for (const LineChain& chain : split_at_corners(whole, options.corner, options.bend * k_radius)) {
+            // An outline has no gaps: no part of it is too short to be kept.
+            const double shortest_part = kind == ContourLine::Kind::contour ? options.shortest * k_radius : 0;
+            for (const LineChain& chain : split_at_corners(whole, options.corner, options.bend * k_radius, shortest_part)) {
                 const double length = chain.length();
-                if (length < options.shortest * k_radius) continue;
+                if (kind == ContourLine::Kind::suggestive && length < options.shortest * k_radius) continue;
                 ContourLine line{.kind = kind, .closed = chain.closed, .points = {}, .places = {}, .length = length * working->scale, .strength = 0};
                 for (const double value : chain.values) line.strength += value / static_cast<double>(chain.values.size());
                 for (const Vector3d& p : chain.points) line.points.push_back(working->to_source(p));

@@ -87,7 +87,7 @@ Vector3d reached(const LineChain& chain, std::size_t i, int step, double distanc
 
 } // namespace
 
-std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend) {
+std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend, double least) {
     const std::size_t n = chain.points.size();
     std::vector<double> turn(n, 0);
     for (std::size_t i = chain.closed ? 0 : 1; i + (chain.closed ? 0 : 1) < n; ++i) {
@@ -100,9 +100,18 @@ std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, 
     for (std::size_t i = 0; i < n; ++i)
         if (turn[i] > degrees * std::numbers::pi / 180) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return turn[a] > turn[b]; });
+    std::vector<double> up_to(n, 0); // length of the chain before each point
+    for (std::size_t i = 1; i < n; ++i) up_to[i] = up_to[i - 1] + (chain.points[i] - chain.points[i - 1]).norm();
+    const double whole = chain.length();
+    const auto apart = [&](std::size_t a, std::size_t b) {
+        const double along = std::abs(up_to[a] - up_to[b]);
+        return chain.closed ? std::min(along, whole - along) : along;
+    };
     std::vector<std::size_t> corners;
-    for (const std::size_t i : order)
-        if (std::none_of(corners.begin(), corners.end(), [&](std::size_t c) { return (chain.points[c] - chain.points[i]).norm() < bend; })) corners.push_back(i);
+    for (const std::size_t i : order) {
+        if (!chain.closed && std::min(up_to[i], whole - up_to[i]) < least) continue;
+        if (std::none_of(corners.begin(), corners.end(), [&](std::size_t c) { return (chain.points[c] - chain.points[i]).norm() < bend || apart(c, i) < least; })) corners.push_back(i);
+    }
     if (corners.empty()) return {chain};
     std::sort(corners.begin(), corners.end());
     std::vector<LineChain> parts;

@@ -32,7 +32,7 @@ struct LineChain {
 [[nodiscard]] std::vector<LineChain> chained(const std::vector<LinePiece>& pieces);
 
 /// Splits a chain where its direction over `bend` before and after a point differs by more than `degrees`, at the sharpest such points. A
-/// closed chain with one corner is opened there.
-[[nodiscard]] std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend);
+/// closed chain with one corner is opened there. Nowhere that would leave a part shorter than `least`.
+[[nodiscard]] std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend, double least);
 
 } // namespace lissom

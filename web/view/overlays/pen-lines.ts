@@ -18,7 +18,7 @@ import { NO_SEGMENTS, SegmentLines, type Segments } from './segments';
 import type { PenDrawing, PenHit, PenHold, PenPart, PenPort } from './types';
 
 /** Drawn units: at an outline the line lies on faces that already turn away, a little behind what is in sight. */
-const LIFT = 0.012;
+const LIFT = 0.02;
 /** CSS pixels. */
 const LIT = 3.5;
 const HELD = 3;
@@ -34,7 +34,7 @@ class PenLines implements Layer, PenPort {
   readonly bare = true;
   readonly #lines = new SegmentLines({ hidden: 0, order: 12, ink: true, lift: LIFT });
   readonly #lit = new SegmentLines({ hidden: 0, order: 14, lift: 1.5 * LIFT });
-  readonly #held = new SegmentLines({ hidden: 0.35, order: 16, lift: 1.5 * LIFT });
+  readonly #held = new SegmentLines({ hidden: 0.7, order: 16, lift: 1.5 * LIFT });
   readonly #ring = new SegmentLines({ hidden: 0.5, order: 15 });
   readonly #uniforms = {
     penPaper: { value: new Vector3() },

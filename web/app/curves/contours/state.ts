@@ -27,7 +27,7 @@ export class ContoursState {
   /** From few lines to many, in [0, 1]. */
   readonly detail = signal(0.5);
   /** Sweeps of smoothing the curvature. */
-  readonly smoothing = signal(10);
+  readonly smoothing = signal(15);
   readonly suggestive = signal(true);
   /** Lines beside the one that is pulled stay. */
   readonly beside = signal(true);

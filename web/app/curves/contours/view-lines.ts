@@ -1,6 +1,7 @@
 // The lines of the view, found in the worker: one view at a time, and of those that wait only the newest.
 
 import type { ReadonlySignal } from '@preact/signals';
+import { LissomError } from '../../../core/errors';
 import { Latest } from '../../../core/latest';
 import type { ContourLines, ContourOptions, ContourView } from '../../../kernel/contract/contour';
 import type { CameraState } from '../../../view/types';
@@ -47,8 +48,9 @@ export class ViewLines {
       deliver: (lines, asked) => this.#take(lines, asked),
       fail: (error) => {
         this.#asked = null;
-        this.own.problem.value = 'failed';
-        this.parts.messages.failed(error);
+        const isBare = error instanceof LissomError && error.code === 'no-faces';
+        this.own.problem.value = isBare ? 'no-faces' : 'failed';
+        if (!isBare) this.parts.messages.failed(error);
       },
     });
   }
