@@ -246,10 +246,9 @@ test('by light the drawing is ink on white', async ({ page, baseURL }) => {
 
 test('lines of 50,000 vertices follow the view ten times a second', async ({ fresh: desk }) => {
   const { page } = desk;
-  await page.setViewportSize({ width: 640, height: 420 });
+  await page.setViewportSize({ width: 480, height: 360 });
   await desk.choose(['bumpy.obj', bumpyObj(160, 314)]);
-  await page.getByRole('navigation').getByRole('button', { name: 'Curves', exact: true }).click();
-  await desk.settled();
+  await desk.command('Curves workspace');
   await page.keyboard.press('n');
   await linesSettled(desk);
   // Counted in the page: answers, and pictures, while the view turns.
@@ -266,9 +265,10 @@ test('lines of 50,000 vertices follow the view ten times a second', async ({ fre
     });
     app.viewport!.onDraw(() => counts.pictures++);
   });
-  await page.mouse.move(40, 300);
+  await page.mouse.move(70, 300);
   await page.mouse.down();
-  for (let i = 1; i <= 120; i++) await page.mouse.move(40 + i, 300);
+  const until = Date.now() + 4000;
+  for (let i = 1; Date.now() < until; i++) await page.mouse.move(70 + (i % 60), 300);
   await page.mouse.up();
   await page.waitForTimeout(400);
   const { answers, pictures, first, last, kernel } = (await page.evaluate(

@@ -216,11 +216,13 @@ struct ContourSession::State {
         for (const LineChain& whole : chained(pieces)) {
             if (whole.values.empty() || *std::max_element(whole.values.begin(), whole.values.end()) < least) continue;
             if (whole.length() < options.shortest * k_radius) continue;
-            // An outline has no gaps: no part of it is too short to be kept.
-            const double shortest_part = kind == ContourLine::Kind::contour ? options.shortest * k_radius : 0;
-            for (const LineChain& chain : split_at_corners(whole, options.corner, options.bend * k_radius, shortest_part)) {
+            const double shortest = options.shortest * k_radius;
+            std::vector<LineChain> parts = split_at_corners(whole, options.corner, options.bend * k_radius, 0);
+            std::erase_if(parts, [&](const LineChain& part) { return part.length() < shortest; });
+            // An outline has no gaps: where some of it is long enough, all of it stays, in fewer and longer parts.
+            if (kind == ContourLine::Kind::contour && !parts.empty()) parts = split_at_corners(whole, options.corner, options.bend * k_radius, 2 * shortest);
+            for (const LineChain& chain : parts) {
                 const double length = chain.length();
-                if (kind == ContourLine::Kind::suggestive && length < options.shortest * k_radius) continue;
                 ContourLine line{.kind = kind, .closed = chain.closed, .points = {}, .places = {}, .length = length * working->scale, .strength = 0};
                 for (const double value : chain.values) line.strength += value / static_cast<double>(chain.values.size());
                 for (const Vector3d& p : chain.points) line.points.push_back(working->to_source(p));

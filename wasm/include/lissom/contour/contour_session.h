@@ -19,7 +19,7 @@ struct LineOptions {
     bool suggestive = true;
     double strength = 0.1;      ///< a suggestive line is kept where D reaches this share of what is usual in the view (its third quartile), 0 to keep all
     double steepness = 0.03;    ///< least sin²θ between normal and view: looked at straight on, every flat place has some
-    double shortest = 0.1;      ///< lines shorter than this share of the model's radius (half its diagonal) are left out; contours are not split into shorter ones
+    double shortest = 0.1;      ///< lines shorter than this share of the model's radius (half its diagonal) are left out; contours are split only into parts twice as long, so that outlines have no gaps
     double corner = 60;         ///< lines are split where they turn by more within `bend`, degrees; 180: nowhere
     double bend = 0.05;         ///< of the model's radius
 };
