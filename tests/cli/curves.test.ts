@@ -102,6 +102,9 @@ describe.each(['check', 'run'])('%s refuses', (command) => {
     ],
     ['a pose of no curve', 'curve-invalid', { poses: [{ name: 'p', curves: [{ id: 'x' }] }] }],
     ['a vertex that is not there', 'index-out-of-range', { curves: [curve({ region: [99999] })] }],
+    ['a reach of what is no contour', 'curve-invalid', { curves: [curve({ reach: 1 })] }],
+    ['lines held beside what is no contour', 'curve-invalid', { curves: [curve({ held: [AXIS] })] }],
+    ['a reach of nothing', 'recipe-invalid', { curves: [curve({ kind: 'contour', reach: 0 })] }],
     ['a curve of one point', 'recipe-invalid', { curves: [curve({ rest: AXIS.slice(0, 1) })] }],
     ['a rotation that is none', 'recipe-invalid', { curves: [curve({ base: [0, 0, 0, 0] })] }],
   ])('%s', async (_, code, fields) => {

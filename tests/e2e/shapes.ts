@@ -142,3 +142,22 @@ export function limbsObj(): string {
   }
   return `${[...[...index.keys()].map((key) => `v ${key}`), ...faces].join('\n')}\n`;
 }
+
+/** A bumpy ball of `rings` × `around` vertices, all faces quads but for two caps. */
+export function bumpyObj(rings: number, around: number): string {
+  const lines: string[] = [];
+  for (let i = 0; i < rings; i++)
+    for (let j = 0; j < around; j++) {
+      const [a, b] = [(Math.PI * (i + 0.5)) / rings, (2 * Math.PI * j) / around];
+      const r = 1 + 0.12 * Math.sin(4 * a) * Math.cos(3 * b) + 0.05 * Math.cos(7 * a + 2 * b);
+      const at = [r * Math.sin(a) * Math.cos(b), r * Math.cos(a), r * Math.sin(a) * Math.sin(b)];
+      lines.push(`v ${at.map((x) => x.toFixed(5)).join(' ')}`);
+    }
+  const vertex = (i: number, j: number): number => i * around + (j % around) + 1;
+  for (let i = 0; i + 1 < rings; i++)
+    for (let j = 0; j < around; j++)
+      lines.push(`f ${[vertex(i, j), vertex(i, j + 1), vertex(i + 1, j + 1), vertex(i + 1, j)].join(' ')}`);
+  const cap = (i: number): number[] => Array.from({ length: around }, (_, j) => vertex(i, j));
+  lines.push(`f ${cap(0).reverse().join(' ')}`, `f ${cap(rings - 1).join(' ')}`);
+  return `${lines.join('\n')}\n`;
+}

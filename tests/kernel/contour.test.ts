@@ -48,10 +48,11 @@ const aslant: ContourView = { perspective: false, eye: [0.3, 0.5, 0.8] };
 
 test('from above a torus has its two circles, which neither light nor size makes more of', async () => {
   const ask = await prepare();
-  const { points, offsets, suggestive, closed } = await ask(above, { suggestive: false });
+  const { points, offsets, corners, weights, suggestive, closed } = await ask(above, { suggestive: false });
   expect([...closed]).toEqual([1, 1]);
   expect([...suggestive]).toEqual([0, 0]);
   expect(offsets.at(-1)).toBe(points.length / 3);
+  expect([corners.length, weights.length]).toEqual([points.length, points.length]);
   const radii = [0, 1].map((line) => {
     const at = 3 * offsets[line]!;
     return Math.hypot(points[at]!, points[at + 1]!);

@@ -35,6 +35,8 @@ const spec = (rest: Float64Array) => ({
   rigid: new Uint32Array(),
   region: null,
   anchor: 'start' as const,
+  reach: 0,
+  held: [],
 });
 
 async function prepared(model: Shape, curves = [spec(axis())], links: Args<'prepareCurves'>['links'] = []) {

@@ -22,6 +22,7 @@ export function contextOf(parts: Partial<LayerContext> = {}): LayerContext {
     renderer: {
       getContext: () => gl,
       capabilities: { maxTextureSize: 4096 },
+      domElement: { style: {} },
     } as unknown as WebGLRenderer,
     test: true,
     redraw: () => {},

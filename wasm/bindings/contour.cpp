@@ -66,10 +66,16 @@ val lines(const HeldContours& held, int ticket) {
     return guarded([&] {
         if (ticket != held.ticket) throw lissom::InvalidInput("view-replaced", "A newer view has taken the place of this one.");
         std::vector<double> points, strengths;
-        std::vector<unsigned> offsets{0};
+        std::vector<unsigned> offsets{0}, corners;
+        std::vector<float> weights;
         std::vector<unsigned char> suggestive, closed;
         for (const lissom::ContourLine& line : held.session.lines()) {
             for (const Eigen::Vector3d& p : line.points) points.insert(points.end(), {p[0], p[1], p[2]});
+            for (const lissom::SurfacePlace& place : line.places)
+                for (int k = 0; k < 3; ++k) {
+                    corners.push_back(static_cast<unsigned>(place.corners[k]));
+                    weights.push_back(static_cast<float>(place.weights[k]));
+                }
             offsets.push_back(static_cast<unsigned>(points.size() / 3));
             suggestive.push_back(line.kind == lissom::ContourLine::Kind::suggestive);
             closed.push_back(line.closed);
@@ -77,6 +83,8 @@ val lines(const HeldContours& held, int ticket) {
         }
         val result = val::object();
         result.set("points", typed_array(points.data(), points.size()));
+        result.set("corners", typed_array(corners.data(), corners.size()));
+        result.set("weights", typed_array(weights.data(), weights.size()));
         result.set("offsets", typed_array(offsets.data(), offsets.size()));
         result.set("suggestive", typed_array(suggestive.data(), suggestive.size()));
         result.set("closed", typed_array(closed.data(), closed.size()));

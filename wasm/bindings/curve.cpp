@@ -31,6 +31,8 @@ std::vector<lissom::CurveSpec> specs(const val& list) {
         spec.rigid = indices(given["rigid"]);
         if (!given["region"].isNull()) spec.region = indices(given["region"]);
         if (!given["anchor"].isNull()) spec.anchor = end_named(given["anchor"]);
+        spec.reach = given["reach"].as<double>();
+        for (const val& still : vecFromJSArray<val>(given["held"])) spec.held.push_back(points(still));
         result.push_back(std::move(spec));
     }
     return result;

@@ -38,6 +38,10 @@ export const replaceStep = (recipe: Recipe, step: Step): Recipe => ({
   steps: recipe.steps.map((each) => (each.id === step.id ? step : each)),
 });
 
+/** An edited step in the place of the one with its id, or a new one at the end. */
+export const putStep = (recipe: Recipe, step: Step): Recipe =>
+  stepById(recipe, step.id) ? replaceStep(recipe, step) : addStep(recipe, step);
+
 export const setModel = (recipe: Recipe, name: string, ref: ModelRef): Recipe =>
   produce(recipe, (draft) => {
     draft.models[name] = ref;

@@ -32,7 +32,7 @@ export abstract class DragTool implements Tool {
     drag?.finish(sample);
   }
 
-  hover(_sample: PointerSample): void {}
+  hover(_: PointerSample): void {}
 
   leave(): void {}
 

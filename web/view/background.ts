@@ -1,5 +1,4 @@
 import { Color, GLSL3, Mesh, PlaneGeometry, ShaderMaterial } from 'three';
-import type { Palette } from './palette';
 
 /** A vertical gradient behind everything, with a breath of noise so that it shows no bands. */
 export class Background {
@@ -33,10 +32,11 @@ export class Background {
     this.mesh.renderOrder = -1000;
   }
 
-  setPalette(palette: Palette): void {
+  /** @param sky, floor  CSS colours */
+  set(sky: string, floor: string): void {
     // The gradient is mixed as the screen shows it.
-    (this.#material.uniforms.sky!.value as Color).set(palette.sky).convertLinearToSRGB();
-    (this.#material.uniforms.floor_!.value as Color).set(palette.floor).convertLinearToSRGB();
+    (this.#material.uniforms.sky!.value as Color).set(sky).convertLinearToSRGB();
+    (this.#material.uniforms.floor_!.value as Color).set(floor).convertLinearToSRGB();
   }
 
   dispose(): void {

@@ -25,6 +25,8 @@ export interface Layer {
   readonly group: Group;
   /** Helps to work, and is no part of a picture to keep. */
   readonly aid?: boolean;
+  /** Its pictures have no ground: neither grid nor shadows. */
+  readonly bare?: boolean;
   /** How it changes the look of the surfaces it stands over; undefined while it does not. */
   readonly shade?: SurfaceShade | undefined;
   /** Its pictures become better while nothing moves. */

@@ -30,6 +30,10 @@ export class Layers {
     return [...this.#mounted].flatMap(({ shade }) => shade ?? []);
   }
 
+  get bare(): boolean {
+    return [...this.#mounted].some(({ bare }) => bare);
+  }
+
   get refine(): boolean {
     return [...this.#mounted].some(({ refines }) => refines);
   }

@@ -19,6 +19,11 @@ export interface Palette {
   readonly shadowStrength: number;
   readonly wire: string;
   readonly wireStrength: number;
+  /** A drawing with a pen: the sheet from top to bottom; the model on it, and where that turns away; the lines. */
+  readonly sheet: readonly [string, string];
+  readonly paper: string;
+  readonly paperEdge: string;
+  readonly ink: string;
   readonly panel: string;
   readonly warn: string;
   readonly tints: Readonly<Record<Tint, string>>;
@@ -40,6 +45,10 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     shadowStrength: 0.62,
     wire: '#14161a',
     wireStrength: 0.42,
+    sheet: ['#5f5c57', '#7a766f'],
+    paper: '#e0dcd4',
+    paperEdge: '#b7b3aa',
+    ink: '#141517',
     panel: '#1d2025',
     warn: '#f0a843',
     tints: {
@@ -61,6 +70,10 @@ export const PALETTES: Readonly<Record<'dark' | 'light', Palette>> = {
     shadowStrength: 0.4,
     wire: '#1b1f24',
     wireStrength: 0.4,
+    sheet: ['#e9e7e2', '#f3f1ed'],
+    paper: '#fdfcfa',
+    paperEdge: '#e3e1dc',
+    ink: '#1f242a',
     panel: '#ffffff',
     warn: '#b36b00',
     tints: {

@@ -1,8 +1,8 @@
-import type { BufferGeometry, Scene, WebGLRenderer } from 'three';
+import { type BufferGeometry, Group, type Scene, type WebGLRenderer } from 'three';
 import { Background } from './background';
 import { Grid } from './grid';
 import { GroundShadow } from './ground-shadow';
-import type { Palette } from './palette';
+import { PALETTES, type Palette } from './palette';
 import { ENVIRONMENT, evenLight, KEY_SLANT, Studio } from './studio';
 import type { ViewSpace } from './view-space';
 
@@ -10,6 +10,8 @@ import type { ViewSpace } from './view-space';
 export class Stage {
   readonly #background = new Background();
   readonly #grid = new Grid();
+  readonly #floor = new Group();
+  #palette: Palette = PALETTES.dark;
   readonly #contact = new GroundShadow({ height: 0.6, falloff: 2, slant: [0, 0], blurs: [1.6, 0.8] });
   readonly #cast = new GroundShadow({ height: 2.4, falloff: 1.2, slant: KEY_SLANT, blurs: [1.8, 1] });
   readonly #studio: Studio;
@@ -26,19 +28,15 @@ export class Stage {
     if (plain) scene.add(evenLight());
     else scene.environment = this.#studio.environment();
     scene.environmentIntensity = ENVIRONMENT;
-    scene.add(
-      this.#background.mesh,
-      this.#contact.mesh,
-      this.#cast.mesh,
-      this.#grid.mesh,
-      this.#studio.lights,
-    );
+    this.#floor.add(this.#contact.mesh, this.#cast.mesh, this.#grid.mesh);
+    scene.add(this.#background.mesh, this.#floor, this.#studio.lights);
     this.setModel(undefined);
   }
 
   setPalette(palette: Palette): void {
     this.renderer.toneMappingExposure = palette.exposure;
-    this.#background.setPalette(palette);
+    this.#palette = palette;
+    this.#paintBackground();
     this.#grid.setPalette(palette);
     this.#contact.setStrength(palette.shadowStrength);
     this.#cast.setStrength(0.6 * palette.shadowStrength);
@@ -46,6 +44,13 @@ export class Stage {
 
   showGrid(shown: boolean): void {
     this.#grid.mesh.visible = shown;
+  }
+
+  /** A studio, or the bare sheet of a drawing: no grid, no shadows. */
+  showGround(shown: boolean): void {
+    if (shown === this.#floor.visible) return;
+    this.#floor.visible = shown;
+    this.#paintBackground();
   }
 
   /** The ground lies just below the lowest of the model's places (3 numbers each, drawn units). */
@@ -82,5 +87,11 @@ export class Stage {
   dispose(): void {
     for (const part of [this.#background, this.#grid, this.#contact, this.#cast, this.#studio])
       part.dispose();
+  }
+
+  #paintBackground(): void {
+    const { sky, floor, sheet } = this.#palette;
+    if (this.#floor.visible) this.#background.set(sky, floor);
+    else this.#background.set(...sheet);
   }
 }

@@ -172,7 +172,7 @@ export class SurfaceMaterials {
       [
         ['color_fragment', fragmentColour(all(({ colour }) => colour))] as const,
         ['lights_fragment_end', all(({ light }) => light)] as const,
-        ['colorspace_fragment', FRAGMENT_OVERLAY] as const,
+        ['colorspace_fragment', all(({ finish = '' }) => finish) + FRAGMENT_OVERLAY] as const,
       ].reduce((source, [chunk, addition]) => after(source, chunk, addition), shader.fragmentShader);
   }
 

@@ -15,4 +15,6 @@ export interface SurfaceShade {
   readonly colour: string;
   /** Changes `reflectedLight`, after all of it has been gathered; the drawn place is `vPlace`. */
   readonly light: string;
+  /** Changes `gl_FragColor` as the screen shows it, before lines and brush lie over it; nothing where left out. */
+  readonly finish?: string;
 }

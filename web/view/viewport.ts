@@ -442,6 +442,7 @@ export class Viewport implements ViewportPort {
     this.#wireframe?.prepare(this.#rig.pixelSize(this.#rig.target));
     this.#layers.prepare(this.#rig.camera, frame);
     this.#materials.setShades(this.#layers.shades);
+    this.#stage.showGround(!this.#layers.bare);
     this.#renderer.render(this.#scene, this.#rig.camera);
   }
 }

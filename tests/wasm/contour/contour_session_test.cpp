@@ -249,6 +249,25 @@ TEST_CASE("lines neither depend on size and place, nor on slices, nor on what wa
     for (std::size_t l = 0; l < first.size(); ++l) CHECK(again[l].length == doctest::Approx(1000 * first[l].length).epsilon(1e-6));
 }
 
+TEST_CASE("every point says where on the surface it is: its triangle's corners by its weights") {
+    const TriangleMesh mesh = rounds::Bumpy().mesh(shapes::icosphere(4));
+    ContourSession session = session_of(mesh, 5);
+    int suggestive = 0;
+    for (const ContourLine& line : session.lines(parallel({0.3, 0.5, 0.8}))) {
+        suggestive += line.kind == Kind::suggestive;
+        REQUIRE(line.places.size() == line.points.size());
+        for (std::size_t i = 0; i < line.points.size(); ++i) {
+            const SurfacePlace& place = line.places[i];
+            CHECK(place.weights.minCoeff() >= -1e-12);
+            CHECK(place.weights.sum() == doctest::Approx(1).epsilon(1e-12));
+            Vector3d sum = Vector3d::Zero();
+            for (int k = 0; k < 3; ++k) sum += place.weights[k] * mesh.points.row(place.corners[k]).transpose();
+            CHECK((sum - line.points[i]).norm() < 1e-9);
+        }
+    }
+    CHECK(suggestive > 0);
+}
+
 TEST_CASE("an eye far away sees as a parallel view does; within reach it sees less of the model") {
     const TriangleMesh mesh = rounds::Bumpy().mesh(shapes::icosphere(4));
     ContourSession session = session_of(mesh, 5);

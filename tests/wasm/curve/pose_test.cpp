@@ -187,6 +187,35 @@ TEST_CASE("a contour pulls the surface around it and turns nothing") {
     CHECK(most > 0.04);
 }
 
+TEST_CASE("a contour's pull ends at its reach, and leaves a held line where it is, whatever the size") {
+    for (const double size : {1.0, 1e-3, 1e4}) {
+        TriangleMesh mesh = shapes::sheet(60, 60);
+        mesh.points *= size;
+        const double middle = mesh.points.col(1).mean(), low = mesh.points.col(0).minCoeff(), wide = mesh.points.col(0).maxCoeff() - low;
+        const auto across = [&](double y) { return line({low + 0.3 * wide, y, 0}, {low + 0.7 * wide, y, 0}, 4); };
+        CurveSpec spec{.rest = across(middle), .role = lissom::CurveRole::contour};
+        spec.reach = 0.1 * wide;
+        spec.held = {across(middle + 0.05 * wide)};
+        const CurveSession made = session(mesh, {spec});
+        CurvePosture lifted{.points = spec.rest};
+        lifted.points.col(2).array() += 0.05 * wide;
+        const Points moved = made.positions({&lifted, 1});
+        double on = 0, below = 0;
+        for (int v = 0; v < mesh.vertex_count(); ++v) {
+            const double y = mesh.points(v, 1) - middle, x = mesh.points(v, 0) - low, height = moved(v, 2);
+            if (std::abs(y) > 0.1 * wide || x < 0.2 * wide - 1e-9 * wide || x > 0.8 * wide + 1e-9 * wide) CHECK(height == 0);
+            if (x < 0.35 * wide || x > 0.65 * wide) continue;
+            if (std::abs(y - 0.05 * wide) < 1e-3 * wide) on = std::max(on, height);
+            if (y < -0.05 * wide) below = std::max(below, height);
+        }
+        CHECK(below > 0.01 * wide);
+        CHECK(on < 0.01 * below); // the held line stays
+    }
+    CurveSpec wrong{.rest = line({0, 0, 0}, {1, 0, 0}, 3), .role = lissom::CurveRole::contour};
+    wrong.reach = -1;
+    CHECK(refusal([&] { (void)session(shapes::sheet(4, 4), {wrong}); }) == "line-radius");
+}
+
 TEST_CASE("what the shader draws is what the core computes") {
     const Tree tree;
     const CurveSession made = session(tree.mesh, tree.curves, tree.links);

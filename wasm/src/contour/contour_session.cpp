@@ -166,9 +166,12 @@ struct ContourSession::State {
                 const double u = at.share[end];
                 return (1 - u) * mesh().points.row(corners[k]).transpose() + u * mesh().points.row(corners[(k + 1) % 3]).transpose();
             };
+            const auto weights = [](const Crossing& at, int end) -> Vector3d {
+                return (1 - at.share[end]) * Vector3d::Unit(at.corner[end]) + at.share[end] * Vector3d::Unit((at.corner[end] + 1) % 3);
+            };
             Crossing at;
             if (crosses(Vector3d(facing[corners[0]], facing[corners[1]], facing[corners[2]]), at))
-                contours.push_back({{edge_of_corner[3 * t + at.corner[0]], edge_of_corner[3 * t + at.corner[1]]}, {place(at, 0), place(at, 1)}, {}});
+                contours.push_back({t, {edge_of_corner[3 * t + at.corner[0]], edge_of_corner[3 * t + at.corner[1]]}, {place(at, 0), place(at, 1)}, {weights(at, 0), weights(at, 1)}, {}});
             if (!options.suggestive) continue;
             const Vector3d f(radial[corners[0]], radial[corners[1]], radial[corners[2]]), g(smooth_facing[corners[0]], smooth_facing[corners[1]], smooth_facing[corners[2]]);
             if (g.maxCoeff() <= 0 || !crosses(f, at)) continue;
@@ -184,9 +187,12 @@ struct ContourSession::State {
             clip(between(s, 0), between(s, 1), options.steepness, from, to);
             if (from >= to) continue;
             const Vector3d a = place(at, 0), b = place(at, 1);
+            const Vector3d wa = weights(at, 0), wb = weights(at, 1);
             const double da = between(d, 0), db = between(d, 1);
-            suggestives.push_back({{from > 0 ? -1 : edge_of_corner[3 * t + at.corner[0]], to < 1 ? -1 : edge_of_corner[3 * t + at.corner[1]]},
+            suggestives.push_back({t,
+                                   {from > 0 ? -1 : edge_of_corner[3 * t + at.corner[0]], to < 1 ? -1 : edge_of_corner[3 * t + at.corner[1]]},
                                    {a + from * (b - a), a + to * (b - a)},
+                                   {wa + from * (wb - wa), wa + to * (wb - wa)},
                                    {da + from * (db - da), da + to * (db - da)}});
         }
     }
@@ -210,12 +216,21 @@ struct ContourSession::State {
         for (const LineChain& whole : chained(pieces)) {
             if (whole.values.empty() || *std::max_element(whole.values.begin(), whole.values.end()) < least) continue;
             if (whole.length() < options.shortest * k_radius) continue;
-            for (const LineChain& chain : split_at_corners(whole, options.corner, options.bend * k_radius)) {
+            const double shortest = options.shortest * k_radius;
+            std::vector<LineChain> parts = split_at_corners(whole, options.corner, options.bend * k_radius, 0);
+            std::erase_if(parts, [&](const LineChain& part) { return part.length() < shortest; });
+            // An outline has no gaps: where some of it is long enough, all of it stays, in fewer and longer parts.
+            if (kind == ContourLine::Kind::contour && !parts.empty()) parts = split_at_corners(whole, options.corner, options.bend * k_radius, 2 * shortest);
+            for (const LineChain& chain : parts) {
                 const double length = chain.length();
-                if (length < options.shortest * k_radius) continue;
-                ContourLine line{.kind = kind, .closed = chain.closed, .points = {}, .length = length * working->scale, .strength = 0};
+                ContourLine line{.kind = kind, .closed = chain.closed, .points = {}, .places = {}, .length = length * working->scale, .strength = 0};
                 for (const double value : chain.values) line.strength += value / static_cast<double>(chain.values.size());
                 for (const Vector3d& p : chain.points) line.points.push_back(working->to_source(p));
+                for (std::size_t i = 0; i < chain.triangles.size(); ++i) {
+                    SurfacePlace place{.corners = {}, .weights = chain.weights[i]};
+                    for (int k = 0; k < 3; ++k) place.corners[k] = working->source_of_working[mesh().triangles(chain.triangles[i], k)];
+                    line.places.push_back(place);
+                }
                 lines.push_back(std::move(line));
             }
         }

@@ -35,8 +35,11 @@ std::vector<LineChain> chained(const std::vector<LinePiece>& pieces) {
         LineChain chain;
         int end = from_end;
         const auto put = [&](int e) {
-            chain.points.push_back(pieces[e / 2].ends[e % 2]);
-            chain.values.push_back(pieces[e / 2].values[e % 2]);
+            const LinePiece& piece = pieces[e / 2];
+            chain.points.push_back(piece.ends[e % 2]);
+            chain.triangles.push_back(piece.triangle);
+            chain.weights.push_back(piece.weights[e % 2]);
+            chain.values.push_back(piece.values[e % 2]);
         };
         put(end);
         while (end >= 0 && !used[end / 2]) {
@@ -47,6 +50,8 @@ std::vector<LineChain> chained(const std::vector<LinePiece>& pieces) {
         if (end >= 0) { // back at the start
             chain.closed = true;
             chain.points.pop_back();
+            chain.triangles.pop_back();
+            chain.weights.pop_back();
             chain.values.pop_back();
         }
         chains.push_back(std::move(chain));
@@ -82,7 +87,7 @@ Vector3d reached(const LineChain& chain, std::size_t i, int step, double distanc
 
 } // namespace
 
-std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend) {
+std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, double bend, double least) {
     const std::size_t n = chain.points.size();
     std::vector<double> turn(n, 0);
     for (std::size_t i = chain.closed ? 0 : 1; i + (chain.closed ? 0 : 1) < n; ++i) {
@@ -95,9 +100,18 @@ std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, 
     for (std::size_t i = 0; i < n; ++i)
         if (turn[i] > degrees * std::numbers::pi / 180) order.push_back(i);
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return turn[a] > turn[b]; });
+    std::vector<double> up_to(n, 0); // length of the chain before each point
+    for (std::size_t i = 1; i < n; ++i) up_to[i] = up_to[i - 1] + (chain.points[i] - chain.points[i - 1]).norm();
+    const double whole = chain.length();
+    const auto apart = [&](std::size_t a, std::size_t b) {
+        const double along = std::abs(up_to[a] - up_to[b]);
+        return chain.closed ? std::min(along, whole - along) : along;
+    };
     std::vector<std::size_t> corners;
-    for (const std::size_t i : order)
-        if (std::none_of(corners.begin(), corners.end(), [&](std::size_t c) { return (chain.points[c] - chain.points[i]).norm() < bend; })) corners.push_back(i);
+    for (const std::size_t i : order) {
+        if (!chain.closed && std::min(up_to[i], whole - up_to[i]) < least) continue;
+        if (std::none_of(corners.begin(), corners.end(), [&](std::size_t c) { return (chain.points[c] - chain.points[i]).norm() < bend || apart(c, i) < least; })) corners.push_back(i);
+    }
     if (corners.empty()) return {chain};
     std::sort(corners.begin(), corners.end());
     std::vector<LineChain> parts;
@@ -105,6 +119,8 @@ std::vector<LineChain> split_at_corners(const LineChain& chain, double degrees, 
         LineChain part;
         for (std::size_t i = from; i <= to; ++i) {
             part.points.push_back(chain.points[i % n]);
+            part.triangles.push_back(chain.triangles[i % n]);
+            part.weights.push_back(chain.weights[i % n]);
             part.values.push_back(chain.values[i % n]);
         }
         if (part.points.size() > 1) parts.push_back(std::move(part));

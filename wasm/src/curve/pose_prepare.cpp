@@ -90,6 +90,9 @@ void CurveSession::State::begin() {
         if (!is_contour(link.child) && !is_contour(link.parent)) order.linked[link.child] = order.linked[link.parent] = true;
     for (const CurveSpec& spec : specs) {
         (void)spline(spec.rest, spec.rigid); // refuses what is none
+        for (const Points& still : spec.held) (void)spline(still, {});
+        if (!(spec.reach >= 0) || !std::isfinite(spec.reach))
+            throw InvalidInput("line-radius", "A line's reach must be 0 or more; it is " + std::to_string(spec.reach) + ".");
         if (!spec.region) continue;
         for (const int v : *spec.region)
             if (v < 0 || v >= given().rows())
@@ -134,8 +137,8 @@ double CurveSession::fraction() const { return std::min(1.0, static_cast<double>
 
 void CurveSession::State::find_pull(int c) {
     constexpr int samples = 200;
-    const auto line_of = [&](int curve) {
-        const SplineCurve drawn = spline(specs[curve].rest, specs[curve].rigid);
+    const auto line_of = [](const Points& controls, const std::vector<int>& rigid) {
+        const SplineCurve drawn = spline(controls, rigid);
         Polyline line;
         for (int k = 0; k < samples; ++k) line.push_back(drawn.point(drawn.parameter(drawn.length() * k / (samples - 1))));
         return line;
@@ -146,8 +149,11 @@ void CurveSession::State::find_pull(int c) {
     field.distance.assign(place_count(), 0); // of a contour: the weight
     std::vector<Polyline> others;
     for (int other = 0; other < static_cast<int>(specs.size()); ++other)
-        if (other != c && is_contour(other)) others.push_back(line_of(other));
-    const LineWeights found = line_weights(*surface, line_of(c), others);
+        if (other != c && is_contour(other)) others.push_back(line_of(specs[other].rest, specs[other].rigid));
+    for (const Points& still : specs[c].held) others.push_back(line_of(still, {}));
+    LineWeightsOptions how;
+    how.radius = specs[c].reach;
+    const LineWeights found = line_weights(*surface, line_of(specs[c].rest, specs[c].rigid), others, how);
     std::vector<bool> named(static_cast<std::size_t>(rest.rows()), !specs[c].region);
     if (specs[c].region)
         for (const int v : *specs[c].region) named[v] = true;

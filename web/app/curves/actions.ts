@@ -9,6 +9,7 @@ import * as tools from '../../tools/curves/edits';
 import type { Grip } from '../../tools/curves/items';
 import { t, tCode } from '../i18n';
 import type { WingParts } from '../wing-parts';
+import { Hand } from './contours/hand';
 import { CurvesEdits } from './edits';
 import { extentOf } from './extent';
 import { pointsOf } from './host';
@@ -22,6 +23,8 @@ const END_STEP = 0.1;
 export class CurvesActions {
   readonly edits: CurvesEdits;
   readonly player: Player;
+  /** The line of the drawing that is in hand. */
+  readonly hand: Hand;
 
   constructor(
     private readonly parts: WingParts,
@@ -29,6 +32,7 @@ export class CurvesActions {
   ) {
     this.edits = new CurvesEdits(parts.document);
     this.player = new Player(this.edits, own);
+    this.hand = new Hand(parts, own, this.edits);
   }
 
   /** The selected curve as shown. Reads signals. */

@@ -3,10 +3,11 @@ import { pickTool } from '../commands/pick-tool';
 import type { MessageKey } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import type { CurvesActions } from './actions';
+import { contourCommands } from './contours/commands';
 import type { Follow } from './follow';
 import type { CurveMode, CurvesState } from './state';
 
-export const TOOLS = ['pose-curves', 'sketch-curve', 'link-curves'] as const;
+export const TOOLS = ['pose-curves', 'sketch-curve', 'link-curves', 'contours'] as const;
 
 type Context = Pick<WingParts, 'state' | 'document' | 'gestures'>;
 
@@ -43,6 +44,8 @@ export function curvesCommands(
     tool('pose-curves', 'mouse-pointer-2', ['V']),
     tool('sketch-curve', 'pen-line', ['B']),
     tool('link-curves', 'link', ['L']),
+    tool('contours', 'feather', ['N']),
+    ...contourCommands(own, curves),
     gizmo('move', 'move', 'W'),
     gizmo('turn', 'rotate-3d', 'E'),
     gizmo('twist', 'ribbon', 'Q'),

@@ -1,4 +1,4 @@
-import { replaceStep } from '../../recipe/edit';
+import { putStep } from '../../recipe/edit';
 import type { CurvesStep } from '../../recipe/recipe';
 import { type Grip, itemOf } from '../../tools/curves/items';
 import type { Document } from '../document';
@@ -12,11 +12,11 @@ export class CurvesEdits extends StepEdits<'curves'> {
   /** @param grip  selected afterwards; as before when left out */
   commit(label: string, step: CurvesStep, grip?: Grip | null): void {
     if (step !== this.step)
-      this.document.commit(label, replaceStep(this.document.recipe, step), this.#selecting(step, grip));
+      this.document.commit(label, putStep(this.document.recipe, step), this.#selecting(step, grip));
   }
 
   preview(label: string, step: CurvesStep, grip?: Grip | null): void {
-    this.live.preview(label, replaceStep(this.document.recipe, step), this.#selecting(step, grip));
+    this.live.preview(label, putStep(this.document.recipe, step), this.#selecting(step, grip));
   }
 
   #selecting(step: CurvesStep, grip: Grip | null | undefined) {

@@ -9,6 +9,7 @@ import { type Grip, gripOf } from '../../tools/curves/items';
 import type { Mat4 } from '../../tools/geometry';
 import type { Line } from '../../tools/stroke/polyline';
 import type { State } from '../state';
+import { ContoursState } from './contours/state';
 
 /** `ends`: the two ends of a curve are dragged along it. */
 export type CurveMode = CurveGizmo | 'ends';
@@ -57,12 +58,16 @@ export class CurvesState {
   /** Addresses of pictures of the poses, by `pictureKey`. */
   readonly posePictures = signal<ReadonlyMap<string, string>>(new Map());
 
-  constructor({ recipe, selection }: Pick<State, 'recipe' | 'selection'>) {
+  readonly contours: ContoursState;
+
+  constructor(state: Pick<State, 'recipe' | 'selection' | 'tool' | 'workspace'>) {
+    const { recipe, selection } = state;
     this.step = computed(() => stepOf(recipe.value, selection.value.step, 'curves'));
     this.grip = computed(() => {
       const grip = gripOf(selection.value.item);
       const curve = grip && this.step.value?.curves[grip.curve];
       return curve && (grip.point ?? 0) < curve.rest.length ? grip : null;
     });
+    this.contours = new ContoursState(state, this.step);
   }
 }

@@ -2,6 +2,7 @@
 
 import { t } from '../i18n';
 import type { State } from '../state';
+import { contoursStatus } from './contours/status';
 import type { CurvesState } from './state';
 
 /** Reads signals. @param key  the shortcut of a command as it is shown */
@@ -10,6 +11,8 @@ export function curvesStatus(state: State, own: CurvesState, key: (command: stri
   if (own.playing.value) return t('status.curves.playing');
   const keys = { draw: key('tool.sketch-curve'), pose: key('tool.pose-curves') };
   switch (state.tool.value) {
+    case 'contours':
+      return contoursStatus(state, own.contours);
     case 'sketch-curve':
       return own.step.value?.curves.length ? t('status.curves.sketch', keys) : t('status.curves.first');
     case 'link-curves':

@@ -16,6 +16,7 @@ import { PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import type { CurvesActions } from './actions';
+import { mountContours } from './contours/view-sync';
 import { AppCurvesHost } from './host';
 import { PosePictures } from './pose-pictures';
 import type { CurvesState } from './state';
@@ -45,7 +46,9 @@ export function mountCurves(
   const painted = new PaintedRegions(viewport);
   const pictures = new PosePictures(viewport, parts, own);
   const stops = [
-    effect(() => lines.port.setLines([...curvesShown(own), ...strokeShown(own)])),
+    effect(() =>
+      lines.port.setLines(own.contours.on.value ? [] : [...curvesShown(own), ...strokeShown(own)]),
+    ),
     effect(() => {
       const evaluation = evaluator.result.value;
       const step = own.step.value;
@@ -53,7 +56,7 @@ export function mountCurves(
         painted.clear();
         return;
       }
-      painted.show(evaluation.shown, regionsShown(own));
+      painted.show(evaluation.shown, own.contours.on.value ? [] : regionsShown(own));
     }),
     effect(() => {
       const grip = own.grip.value;
@@ -76,11 +79,13 @@ export function mountCurves(
       );
     }),
   ];
+  const contours = mountContours(viewport, parts, own, actions.hand);
   return {
     tools: {
       'pose-curves': new PoseTool(host),
       'sketch-curve': new SketchTool(host),
       'link-curves': new LinkTool(host),
+      contours: contours.tool,
     },
     cancel: () => {
       gizmo.onCancel();
@@ -91,6 +96,7 @@ export function mountCurves(
       for (const stop of stops) stop();
       own.under.value = null;
       pictures.dispose();
+      contours.unmount();
       painted.clear();
       lines.unmount();
       viewport.setGizmo(null);

@@ -38,7 +38,7 @@ export function create(parts: WingParts): CurvesWing {
     isIdle: (step) => step.type === 'curves' && step.curves.length === 0,
     publish: (shown) => follow.publish(shown),
     status: (key) => curvesStatus(state, own, key),
-    escape: () => actions.player.stop(),
+    escape: () => actions.player.stop() || actions.hand.letGo(),
     selected: () => {
       const grip = own.grip.peek();
       return grip ? own.prepared.peek()?.curves[grip.curve]?.region : undefined;

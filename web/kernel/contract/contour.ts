@@ -27,6 +27,9 @@ export interface ContourLines {
   /** Line `i` has points `offsets[i]` to `offsets[i + 1]`, 3 numbers each, model space; contours first. */
   readonly points: Float64Array;
   readonly offsets: Uint32Array;
+  /** Where each point is on the surface, whatever becomes of that: 3 source vertices, and 3 weights that sum to 1. */
+  readonly corners: Uint32Array;
+  readonly weights: Float32Array;
   /** 1 for a suggestive contour. */
   readonly suggestive: Uint8Array;
   /** 1 where the last point goes on to the first. */

@@ -11,6 +11,10 @@ export interface CurveSpec {
   readonly region: Uint32Array | null;
   /** `null`: the end with more of the model beyond it. */
   readonly anchor: 'start' | 'end' | null;
+  /** Of a contour: how far its pull goes along the surface, source units; 0: a share of the model's size. */
+  readonly reach: number;
+  /** Of a contour: lines beside it that stay, 3 per control point. */
+  readonly held: readonly Float64Array[];
 }
 
 /** Curves by their numbers. */

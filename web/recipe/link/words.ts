@@ -31,5 +31,7 @@ export const WORDS: readonly string[] =
     // more of curves
     'base anchor child parent at poses time start end blending encoding guard ownership geodesic gaussian kernel slabs symmetric thesis none ' +
     // more of outputs
-    'skin'
+    'skin ' +
+    // more of curves
+    'reach held'
   ).split(' ');

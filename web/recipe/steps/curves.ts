@@ -1,6 +1,7 @@
 import * as v from 'valibot';
 import {
   between,
+  length,
   list,
   listUpTo,
   positiveUpTo,
@@ -15,6 +16,8 @@ import {
 export const MAX_CURVES = 100;
 /** Control points of one curve. */
 export const MAX_CONTROLS = 200;
+/** Lines that stay beside one that is pulled. */
+export const MAX_HELD = 60;
 /** Poses that a step keeps. */
 export const MAX_POSES = 200;
 /** Ten turns either way. */
@@ -57,6 +60,10 @@ const curve = v.strictObject({
   region: v.optional(vertexSet),
   /** The end that stays where it is; the one with more of the model beyond it when left out. */
   anchor: v.optional(v.picklist(['start', 'end'])),
+  /** Of a contour: how far its pull goes along the surface, model units; 0.13 of the largest extent when left out. */
+  reach: v.optional(length),
+  /** Of a contour: lines beside it that stay, control points each. */
+  held: v.optional(listUpTo(MAX_HELD, controls)),
 });
 
 /** The child takes over how the parent moves at a place of it: 0 is the parent's start, 1 its end. */

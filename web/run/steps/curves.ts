@@ -7,6 +7,7 @@ import type { Curve, CurvePosture, CurvesStep } from '../../recipe/steps/curves'
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { postureOf, prepareCurves } from './curves/kernel-words';
+import { pullWeights, viewLines } from './curves/lines';
 import { skinOf } from './curves/skin';
 import { type StepContext, type StepOutcome, type StepRunner, signalOf } from './step-runner';
 
@@ -23,7 +24,7 @@ const UNTIMED = { regions: 0, encode: 0, pose: 0 };
 
 export const curvesRunner = {
   /** The one on screen, and the one to switch back to. */
-  keeps: { prepareCurves: 2, prepareSketch: 1 },
+  keeps: { prepareCurves: 2, prepareSketch: 1, prepareContours: 1 },
 
   questions: {
     /** The curve that a stroke on the step's input means. */
@@ -82,6 +83,10 @@ export const curvesRunner = {
       context.kernel.call('reachCurve', args, signalOf(context)),
     /** The curves as joints, and the poses that are kept as an animation. */
     skin: (step: CurvesStep, context: StepContext) => skinOf(step, context),
+    /** Contours and suggestive contours of a view of the step's surface. */
+    viewLines,
+    /** How much of a contour's pull each vertex takes. */
+    pullWeights,
     /** Faces that meet others, at these positions of the input's vertices. */
     crossingFaces: async (
       _: CurvesStep,
@@ -109,6 +114,11 @@ export const curvesRunner = {
         throw wrong(
           `${place}.rigid: there is no segment ${lost}; the curve has segments 0 to ${segments - 1}.`,
         );
+      for (const field of ['reach', 'held'] as const)
+        if (curve[field] !== undefined && curve.kind !== 'contour')
+          throw wrong(
+            `${place}.${field}: only a curve of kind "contour" has it; remove it or change the kind.`,
+          );
       if (curve.region && input) checkVertices(curve.region, `${place}.region`, input);
     }
     checkLinks(step, path, known);

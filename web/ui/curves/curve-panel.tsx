@@ -14,7 +14,7 @@ export function CurvePanel() {
   const { state: own, actions: curves } = useCurves();
   const curve = curves.curve();
   const step = own.step.value;
-  if (!curve || !step) return null;
+  if (!curve || !step || curve.kind === 'contour') return null;
   const { id, kind, rest, rigid = [], anchor } = curve;
   const parent = linkOf(step, id)?.parent;
   return (

@@ -1,5 +1,6 @@
 import { ModelPanel } from '../shell/model-panel';
 import { StepsPanel } from '../shell/steps-panel';
+import { ContoursPanel } from './contours-panel';
 import { CurvePanel } from './curve-panel';
 import { ListPanel } from './list-panel';
 import { OptionsPanel } from './options-panel';
@@ -12,6 +13,7 @@ export function CurvesPanels() {
   return (
     <>
       <ModelPanel />
+      <ContoursPanel />
       <ListPanel />
       <CurvePanel />
       <PointPanel />

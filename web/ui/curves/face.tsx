@@ -16,6 +16,7 @@ export const face: Face = {
   Figures: CurvesFigures,
   viewCommands: ['curves.crossings'],
   extras: (tool) => {
+    if (tool === 'contours') return ['curves.contours.suggestive', 'curves.contours.beside'];
     if (tool === 'sketch-curve') return ['curves.surface', 'brush.mirror'];
     return tool === 'pose-curves' ? [...GIZMO, 'curves.reach'] : [];
   },

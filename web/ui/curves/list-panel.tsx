@@ -7,6 +7,8 @@ import { ItemRow } from '../controls/item-row';
 import { Section } from '../controls/section';
 import { useCurves } from './use-curves';
 
+const ICONS = { skeleton: 'bone', surface: 'spline', contour: 'feather' } as const;
+
 /** The curves of the step; each with what it hangs on. */
 export function ListPanel() {
   const { document } = useApp();
@@ -24,7 +26,7 @@ export function ListPanel() {
             <ItemRow
               key={id}
               name={id}
-              icon={kind === 'skeleton' ? 'bone' : 'spline'}
+              icon={ICONS[kind]}
               selected={selected === index}
               hidden={own.hidden.value.has(id)}
               onSelect={() =>

@@ -1,10 +1,12 @@
 import {
   BufferAttribute,
+  CustomBlending,
   DoubleSide,
   Group,
   InstancedBufferAttribute,
   InstancedBufferGeometry,
   Mesh,
+  MinEquation,
   ShaderMaterial,
   Vector2,
 } from 'three';
@@ -19,19 +21,28 @@ export interface Segments {
 
 export const NO_SEGMENTS: Segments = { ends: new Float32Array(), looks: new Float32Array() };
 
-/**
- * Lines of constant width on the screen with soft edges and round ends; `hidden` tells how strongly they show
- * through what lies in front of them.
- */
+interface Style {
+  /** How strongly they show through what lies in front of them. */
+  readonly hidden: number;
+  readonly order: number;
+  readonly arrows?: boolean;
+  /** Pieces that lie over each other are no darker than one: for dark lines on pale ground. */
+  readonly ink?: boolean;
+  /** Drawn this much nearer to the eye, drawn units; a little nearer than the surface where left out. */
+  readonly lift?: number;
+}
+
+/** Lines of constant width on the screen with soft edges and round ends. */
 export class SegmentLines {
   readonly group = new Group();
   readonly #geometry = new InstancedBufferGeometry();
   readonly #materials: readonly ShaderMaterial[];
 
-  constructor({ hidden, order, arrows = false }: { hidden: number; order: number; arrows?: boolean }) {
+  constructor(style: Style) {
+    const { hidden, order } = style;
     this.#geometry.setAttribute('position', new BufferAttribute(new Float32Array(CORNERS), 3));
     this.#geometry.setIndex([0, 1, 2, 2, 1, 3]);
-    this.#materials = [material(hidden, false, arrows), material(1, true, arrows)];
+    this.#materials = [material(hidden, false, style), material(1, true, style)];
     this.#materials.forEach((each, i) => {
       if (i === 0 && hidden === 0) return;
       const mesh = new Mesh(this.#geometry, each);
@@ -74,14 +85,20 @@ function everyOther(ends: Float32Array, start: number): Float32Array {
   return out;
 }
 
-function material(opacity: number, front: boolean, arrows: boolean): ShaderMaterial {
+function material(opacity: number, front: boolean, { arrows, ink, lift }: Style): ShaderMaterial {
   return new ShaderMaterial({
     transparent: true,
+    ...(ink && { blending: CustomBlending, blendEquation: MinEquation }),
     side: DoubleSide,
     depthTest: front,
     depthWrite: false,
     toneMapped: false,
-    defines: { ...(front && { FRONT: '' }), ...(arrows && { ARROWS: '' }) },
+    defines: {
+      ...(front && { FRONT: '' }),
+      ...(arrows && { ARROWS: '' }),
+      ...(ink && { INK: '' }),
+      ...(lift && { LIFT: lift.toFixed(5) }),
+    },
     uniforms: {
       opacity: { value: opacity },
       screen: { value: new Vector2(1, 1) },
@@ -119,7 +136,15 @@ function material(opacity: number, front: boolean, arrows: boolean): ShaderMater
         vec4 clip = mix(p, q, end);
         vec2 offset = along * (2.0 * end - 1.0) * beyond + vec2(-along.y, along.x) * vAt.y;
         clip.xy += offset * 2.0 / screen * clip.w;
+      #ifdef LIFT
+        // Towards the eye, so that it stays in its place on the screen.
+        vec3 seen = mix(a, b, end).xyz;
+        vec3 toEye = projectionMatrix[2][3] < 0.0 ? -normalize(seen) : vec3(0.0, 0.0, 1.0);
+        vec4 raised = projectionMatrix * vec4(seen + LIFT * toEye, 1.0);
+        clip.z = raised.z / raised.w * clip.w;
+      #else
         clip.z -= 0.0012 * clip.w; // in front of the surface it lies on
+      #endif
         gl_Position = clip;
       }`,
     fragmentShader: /* glsl */ `
@@ -135,7 +160,11 @@ function material(opacity: number, front: boolean, arrows: boolean): ShaderMater
       #endif
         float away = length(vec2(vAt.x - clamp(vAt.x, 0.0, vLength), vAt.y));
         float cover = clamp((half_ - away) * pixelRatio + 0.5, 0.0, 1.0);
+      #ifdef INK
+        gl_FragColor = vec4(mix(vec3(1.0), vLook.rgb, cover * opacity), 1.0);
+      #else
         gl_FragColor = vec4(vLook.rgb, cover * opacity);
+      #endif
       }`,
   });
 }

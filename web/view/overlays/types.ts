@@ -75,6 +75,55 @@ export interface ControlLinesPort {
   pickLine(x: number, y: number): ControlHit | null;
 }
 
+/** Lines on the surface as a pen would draw them. */
+export interface PenDrawing {
+  /** Line `i` has points `offsets[i]` to `offsets[i + 1]`, 3 numbers each, model space. */
+  readonly points: Float64Array;
+  readonly offsets: Uint32Array;
+  /** Per point 3 source vertices and their weights: there it stays when the surface moves. */
+  readonly corners: Uint32Array;
+  readonly weights: Float32Array;
+  /** Per line: 1 for a thin one; 1 where the last point goes on to the first. */
+  readonly suggestive: Uint8Array;
+  readonly closed: Uint8Array;
+}
+
+/** The line in hand: where it runs, its ends, and how far a pull of it reaches. */
+export interface PenHold {
+  readonly line: readonly Vec3[];
+  readonly ring: { readonly centre: Vec3; readonly radius: number };
+  /** What of it is under the pointer. */
+  readonly lit: PenPart | null;
+}
+
+export type PenPart = 'start' | 'end' | 'ring' | 'line';
+
+/** A line under the pointer. */
+export interface PenHit {
+  readonly line: number;
+  /** Between point `segment` of the line and the next, `t` of the way. */
+  readonly segment: number;
+  readonly t: number;
+  readonly point: Vec3;
+  /** CSS pixels. */
+  readonly distance: number;
+}
+
+/** While it is in the picture the model is drawn as paper, with pen lines on it. */
+export interface PenPort {
+  setDrawing(drawing: PenDrawing | null): void;
+  /** Lets the lines go along with the surface. @param positions  3 per source vertex; `null`: as they were drawn */
+  carry(positions: Float64Array | null): void;
+  /** The line under the pointer. */
+  light(line: number | null): void;
+  hold(hold: PenHold | null): void;
+  /** Tints what would move. @param weights  in [0, 1] per source vertex */
+  tint(weights: Float32Array | null): void;
+  /** CSS pixels from the viewport's top left corner. The nearest first; those that something hides, too. */
+  pickLines(x: number, y: number): readonly PenHit[];
+  pickHold(x: number, y: number): PenPart | null;
+}
+
 /** Short arrows: 3 numbers each, same length. */
 export interface FieldSample {
   readonly places: Float32Array;

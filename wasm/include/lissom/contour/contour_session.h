@@ -3,6 +3,7 @@
 #include "lissom/contour/curvature.h"
 #include "lissom/mesh/working_mesh.h"
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -18,15 +19,22 @@ struct LineOptions {
     bool suggestive = true;
     double strength = 0.1;      ///< a suggestive line is kept where D reaches this share of what is usual in the view (its third quartile), 0 to keep all
     double steepness = 0.03;    ///< least sin²θ between normal and view: looked at straight on, every flat place has some
-    double shortest = 0.1;      ///< lines shorter than this share of the model's radius (half its diagonal) are left out
+    double shortest = 0.1;      ///< lines shorter than this share of the model's radius (half its diagonal) are left out; contours are split only into parts twice as long, so that outlines have no gaps
     double corner = 60;         ///< lines are split where they turn by more within `bend`, degrees; 180: nowhere
     double bend = 0.05;         ///< of the model's radius
+};
+
+/// A place on the surface that stays the same place when the surface moves.
+struct SurfacePlace {
+    std::array<int, 3> corners{}; ///< source vertices of its triangle
+    Eigen::Vector3d weights = Eigen::Vector3d::Zero(); ///< of each, summing to 1
 };
 
 struct ContourLine {
     enum class Kind { contour, suggestive } kind = Kind::contour;
     bool closed = false;
     std::vector<Eigen::Vector3d> points; ///< source space, where the line crosses the mesh's edges (and where it ends within a triangle)
+    std::vector<SurfacePlace> places;    ///< of each point: Σ weight · corner is the point
     double length = 0;                   ///< source units
     double strength = 0;                 ///< mean D R² of a suggestive line
 };

@@ -29,6 +29,8 @@ struct CurveSpec {
     std::vector<int> rigid = {};                      ///< spans that stay nearly straight
     std::optional<std::vector<int>> region = {};      ///< source vertices that follow it; else found
     std::optional<CurveEnd> anchor = {};              ///< the end that stays; else the one on the larger rest
+    double reach = 0;                                 ///< of a contour: how far its pull goes along the surface, source units; 0: as line_weights.h has it
+    std::vector<Points> held = {};                    ///< of a contour: lines beside it that stay, control points each
 };
 
 struct CurveOptions {
@@ -92,7 +94,7 @@ public:
 
     /// Call step() until it returns false before anything else.
     /// @throws InvalidInput `no-curve`, `curve-points`, `non-finite-curve`, `rigid-span`, `vertex-out-of-range`, `link-range`, `link-twice`,
-    ///                      `link-ring`, `bad-option`
+    ///                      `link-ring`, `bad-option`, `line-radius`
     CurveSession(std::shared_ptr<const WorkingMesh> model, std::vector<CurveSpec> curves, std::vector<CurveLink> links = {}, CurveOptions options = {});
     /// Points alone: a cloud, or the vertices of polylines. What is not finite rests.
     CurveSession(const Points& cloud, std::vector<CurveSpec> curves, std::vector<CurveLink> links = {}, CurveOptions options = {});

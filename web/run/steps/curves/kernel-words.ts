@@ -14,12 +14,14 @@ export function prepareCurves(step: CurvesStep, context: StepContext) {
   const [input] = context.inputs as [ModelResult];
   const held = {
     model: input.key,
-    curves: step.curves.map(({ kind, rest, rigid, region, anchor }) => [
+    curves: step.curves.map(({ kind, rest, rigid, region, anchor, reach, held }) => [
       kind === 'contour',
       rest,
       rigid,
       region && vertexSetKey(region),
       anchor,
+      reach,
+      held,
     ]),
     links: linksOf(step),
     options: step.options,
@@ -37,12 +39,14 @@ export function prepareCurves(step: CurvesStep, context: StepContext) {
   );
 }
 
-const specOf = ({ kind, rest, rigid, region, anchor }: Curve, vertices: number): CurveSpec => ({
+const specOf = ({ kind, rest, rigid, region, anchor, reach, held }: Curve, vertices: number): CurveSpec => ({
   rest: Float64Array.from(rest.flat()),
   role: kind === 'contour' ? 'contour' : 'limb',
   rigid: Uint32Array.from(rigid ?? []),
   region: region === undefined ? null : toIndices(region, vertices),
   anchor: anchor ?? null,
+  reach: reach ?? 0,
+  held: (held ?? []).map((line) => Float64Array.from(line.flat())),
 });
 
 /** A posture as the kernel takes it. */
