@@ -8,6 +8,7 @@ import type { CurveGizmo } from '../../tools/curves/gizmo-drag';
 import { type Grip, gripOf } from '../../tools/curves/items';
 import type { Mat4 } from '../../tools/geometry';
 import type { Line } from '../../tools/stroke/polyline';
+import type { Blending } from '../blend-sync';
 import type { State } from '../state';
 
 /** What came of the last pose. Times in milliseconds. */
@@ -18,10 +19,12 @@ export interface CurvesFigures {
   readonly crossings: { readonly before: number; readonly after: number } | null;
 }
 
-export class CurvesState {
+export class CurvesState implements Blending {
   /** The open step while it is one of curves. */
   readonly step: ReadonlySignal<CurvesStep | undefined>;
   readonly grip: ReadonlySignal<Grip | null>;
+  readBack: Blending['readBack'] = () => null;
+  readonly blends = signal(false);
   readonly gizmo = signal<CurveGizmo>('move');
   /** What strokes become. */
   readonly kind = signal<'skeleton' | 'surface'>('skeleton');

@@ -12,6 +12,7 @@ import { IDENTITY, transform } from '../../tools/geometry';
 import { INNER_LINES } from '../../view/overlays/control-lines';
 import type { ControlLine } from '../../view/overlays/types';
 import type { GizmoMode, RegionPaint, ViewportPort } from '../../view/types';
+import { syncBlend } from '../blend-sync';
 import { PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
@@ -40,6 +41,7 @@ export function mountCurves(
   const gizmo = new CurveGizmoDrag(host, () => own.gizmo.peek());
   const painted = new PaintedRegions(viewport);
   const stops = [
+    syncBlend(viewport, evaluator, own),
     effect(() => lines.port.setLines([...curvesShown(own), ...strokeShown(own)])),
     effect(() => {
       const evaluation = evaluator.result.value;

@@ -30,7 +30,7 @@ export function create(parts: WingParts): CurvesWing {
     tools: TOOLS,
     group: 'curves',
     commands: curvesCommands(parts, own, actions, follow),
-    strategy: curvesStrategy,
+    strategy: curvesStrategy(own),
     mirrors: true,
     start: async () => startCurves(parts),
     isIdle: (step) => step.type === 'curves' && step.curves.length === 0,
