@@ -63,10 +63,26 @@ void pose_singles(const SingleVertices& singles, const CurveRows& rows, const Ve
 
 Vector3d moved(const Matrix34& map, const Vector3d& x) { return map.leftCols<3>() * x + map.col(3); }
 
-/// A row as blended vertices read it, in one loop: the motion (real, dual), then the columns of the map before it; and what the next row has more.
+/// Two numbers that GCC and Clang compute with at once, in WebAssembly too: left to themselves they do with half of the loop below.
+using Pair = double __attribute__((vector_size(16)));
+
+/// What blended vertices add up of a row: the motion (real, dual), then the columns of the map before it.
+struct BlendNumbers {
+    static constexpr int k_motion = 4, k_size = k_motion + 6; ///< pairs
+    std::array<Pair, k_size> pairs{};
+
+    [[nodiscard]] double operator[](int k) const { return pairs[k / 2][k % 2]; }
+    void add(int k, double x) { pairs[k / 2][k % 2] += x; }
+    [[nodiscard]] Vector4d real() const { return {(*this)[0], (*this)[1], (*this)[2], (*this)[3]}; }
+    [[nodiscard]] Vector4d dual() const { return {(*this)[4], (*this)[5], (*this)[6], (*this)[7]}; }
+    [[nodiscard]] Vector3d column(int c) const {
+        const int k = 2 * k_motion + 3 * c;
+        return {(*this)[k], (*this)[k + 1], (*this)[k + 2]};
+    }
+};
+/// A row's, and what the next row has more.
 struct BlendRow {
-    static constexpr int k_motion = 8, k_size = k_motion + 12;
-    std::array<double, k_size> here, more;
+    BlendNumbers here, more;
 };
 using BlendRows = std::vector<BlendRow>;
 
@@ -75,54 +91,49 @@ std::vector<BlendRows> blend_rows(const std::vector<CurveRows>& all) {
     for (const CurveRows& rows : all) {
         BlendRows& of = result.emplace_back(k_rows);
         for (int i = 0; i < k_rows; ++i) {
-            std::copy_n(rows.rigid[i].real.data(), 4, of[i].here.data());
-            std::copy_n(rows.rigid[i].dual.data(), 4, of[i].here.data() + 4);
-            std::copy_n(rows.before[i].data(), 12, of[i].here.data() + BlendRow::k_motion);
+            for (int k = 0; k < 4; ++k) {
+                of[i].here.add(k, rows.rigid[i].real[k]);
+                of[i].here.add(4 + k, rows.rigid[i].dual[k]);
+            }
+            for (int k = 0; k < 12; ++k) of[i].here.add(8 + k, rows.before[i](k % 3, k / 3));
         }
-        for (int i = 0; i < k_rows; ++i)
-            for (int k = 0; k < BlendRow::k_size; ++k) of[i].more[k] = of[std::min(i + 1, k_rows - 1)].here[k] - of[i].here[k];
+        for (int i = 0; i + 1 < k_rows; ++i)
+            for (int k = 0; k < BlendNumbers::k_size; ++k) of[i].more.pairs[k] = of[i + 1].here.pairs[k] - of[i].here.pairs[k];
     }
     return result;
 }
 
 /// The blend of a vertex's motions and that of the maps before them.
-struct Blend {
-    std::array<double, BlendRow::k_size> sum{};
+BlendNumbers blend_of(const BlendedVertices& blended, int i, const std::vector<BlendRows>& rows) {
+    BlendNumbers sum;
+    double left = 1;
+    for (int k = blended.offsets[i]; k < blended.offsets[i + 1]; ++k) {
+        const auto [row, share] = between(blended.rows[k]);
+        const auto& [here, more] = rows[blended.curves[k]][row];
+        const double weight = blended.weights[k];
+        std::array<Pair, BlendNumbers::k_size> mixed;
+        for (int j = 0; j < BlendNumbers::k_size; ++j) mixed[j] = here.pairs[j] + share * more.pairs[j];
+        const Pair along = sum.pairs[0] * mixed[0] + sum.pairs[1] * mixed[1];
+        const double sided = along[0] + along[1] < 0 ? -weight : weight; // motions on one hemisphere
+        for (int j = 0; j < BlendNumbers::k_motion; ++j) sum.pairs[j] += sided * mixed[j];
+        for (int j = BlendNumbers::k_motion; j < BlendNumbers::k_size; ++j) sum.pairs[j] += weight * mixed[j];
+        left -= weight;
+    }
+    if (left > 1e-12) { // rests
+        sum.add(3, sum[3] < 0 ? -left : left);
+        for (int k = 0; k < 3; ++k) sum.add(8 + 4 * k, left);
+    }
+    return sum;
+}
 
-    Blend(const BlendedVertices& blended, int i, const std::vector<BlendRows>& rows) {
-        double left = 1;
-        for (int k = blended.offsets[i]; k < blended.offsets[i + 1]; ++k) {
-            const Between at = between(blended.rows[k]);
-            const BlendRow& row = rows[blended.curves[k]][at.row];
-            std::array<double, BlendRow::k_size> mixed;
-            for (int j = 0; j < BlendRow::k_size; ++j) mixed[j] = row.here[j] + at.share * row.more[j];
-            const double weight = blended.weights[k], along = sum[0] * mixed[0] + sum[1] * mixed[1] + sum[2] * mixed[2] + sum[3] * mixed[3];
-            const double sided = along < 0 ? -weight : weight; // on one hemisphere
-            for (int j = 0; j < BlendRow::k_motion; ++j) sum[j] += sided * mixed[j];
-            for (int j = BlendRow::k_motion; j < BlendRow::k_size; ++j) sum[j] += weight * mixed[j];
-            left -= weight;
-        }
-        if (left > 1e-12) { // rests
-            sum[3] += sum[3] < 0 ? -left : left;
-            for (int k = 0; k < 3; ++k) sum[BlendRow::k_motion + 4 * k] += left;
-        }
-    }
-    [[nodiscard]] Vector4d real() const { return Eigen::Map<const Vector4d>(sum.data()); }
-    [[nodiscard]] Vector4d dual() const { return Eigen::Map<const Vector4d>(sum.data() + 4); }
-    [[nodiscard]] Eigen::Map<const Matrix34> before() const { return Eigen::Map<const Matrix34>(sum.data() + BlendRow::k_motion); }
-    /// What the motion turns by.
-    [[nodiscard]] Matrix3d turn() const { return Eigen::Quaterniond(real().normalized()).toRotationMatrix(); }
-    /// One quaternion turns the point, so that no matrix is made of it: x + 2 r × (r × x + w x), and the translation of the dual part.
-    [[nodiscard]] Vector3d moved(const double* x) const {
-        const double* c = sum.data() + BlendRow::k_motion;
-        Vector3d point;
-        for (int k = 0; k < 3; ++k) point[k] = c[k] * x[0] + c[3 + k] * x[1] + c[6 + k] * x[2] + c[9 + k];
-        const double norm = 1 / real().norm();
-        const Vector4d r = norm * real(), d = norm * dual();
-        const Vector3d axis = r.head<3>();
-        return point + 2 * (axis.cross(axis.cross(point) + r[3] * point + d.head<3>()) + r[3] * d.head<3>() - d[3] * axis);
-    }
-};
+/// What a blend makes of a vertex. One quaternion turns it, so that no matrix is made of it: x + 2 r × (r × x + w x), and the translation of
+/// the dual part. Both are of second degree in the blend, whose length is divided out at the end.
+Vector3d moved(const BlendNumbers& blend, const double* x) {
+    const Vector3d point = blend.column(0) * x[0] + blend.column(1) * x[1] + blend.column(2) * x[2] + blend.column(3);
+    const Vector4d real = blend.real(), dual = blend.dual();
+    const Vector3d r = real.head<3>(), d = dual.head<3>();
+    return point + 2 / real.squaredNorm() * (r.cross(r.cross(point) + real[3] * point + d) + real[3] * d - dual[3] * r);
+}
 
 } // namespace
 
@@ -190,7 +201,7 @@ PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
     const std::vector<BlendRows> rows = blend_rows(posed.rows);
     for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
         const std::size_t v = 3 * static_cast<std::size_t>(s.blended.vertices[i]);
-        const Vector3d sum = Blend(s.blended, i, rows).moved(s.rest.data() + v) + s.centre;
+        const Vector3d sum = moved(blend_of(s.blended, i, rows), s.rest.data() + v) + s.centre;
         for (int k = 0; k < 3; ++k) out.data()[v + k] = sum[k];
     }
     return result;
@@ -267,7 +278,7 @@ Points CurveSession::normals(std::span<const CurvePosture> postures, const Point
     for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
         const int v = s.blended.vertices[i];
         const Vector3d x = s.rest.row(v).transpose();
-        const Blend blend(s.blended, i, blends);
+        const BlendNumbers blend = blend_of(s.blended, i, blends);
         Matrix3d along = Matrix3d::Zero();
         for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {
             const int c = s.blended.curves[k];
@@ -275,7 +286,9 @@ Points CurveSession::normals(std::span<const CurvePosture> postures, const Point
             const CurveRows& rows = posed.rows[c];
             along += s.blended.weights[k] * (moved(rows.affine[at + 1], x) - moved(rows.affine[at], x)) * s.curves[c].row_gradient(s.blended.rows[k], x).transpose();
         }
-        turned(v, blend.turn() * blend.before().leftCols<3>() + along);
+        Matrix3d before;
+        before << blend.column(0), blend.column(1), blend.column(2);
+        turned(v, Eigen::Quaterniond(blend.real().normalized()).toRotationMatrix() * before + along);
     }
     return result;
 }
