@@ -1,7 +1,7 @@
 import { expect, test } from 'vitest';
 import { product, type Quaternion, unitQuaternion } from '../../../web/core/quaternion';
 import { TEXELS } from '../../../web/view/curves/curve-glsl';
-import { CurveMotion, slopesInView, tableInView } from '../../../web/view/curves/curve-motion';
+import { CurveMotion, placesInView, tableInView } from '../../../web/view/curves/curve-motion';
 import { ViewSpace } from '../../../web/view/view-space';
 import { posed } from './curve-reference';
 
@@ -66,12 +66,10 @@ test.each(SPACES)('a table moves drawn places and normals as it moves the modelâ
       return k % 3 === 1 ? directions[k + 1]! : -directions[k - 1]!;
     });
   const packed = tableInView(texels, attributes, space);
-  const slope = slopesInView(attributes, space);
-  const seen = posed(
-    { ...attributes, centre: [0, 0, 0], slopes: Float64Array.from(slope).filter((_, k) => k % 4 < 3) },
-    asGiven(packed),
-    drawn,
-    upright(normals),
+  const gradients = placesInView(attributes, rest, space);
+  const own = { ...attributes, centre: [0, 0, 0] as const };
+  const seen = posed(own, asGiven(packed), drawn, upright(normals), (v, slot) =>
+    gradients[slot]!.subarray(4 * v, 4 * v + 3),
   );
   const wanted = new Float32Array(rest.length);
   space.place(model.positions, wanted);
@@ -100,12 +98,11 @@ test.each(SPACES)('behind each row stands the map of its parts, %s up', (_, spac
 });
 
 test('a card with textures too small or too few lines is not used', () => {
-  const motion = new CurveMotion(attributes);
+  const motion = new CurveMotion(attributes, rest);
   expect(motion.vertexCount).toBe(5);
   const { table, inputs, textures } = motion.packed(SPACES[0]![1], 2048)!;
   expect(table).toEqual({ name: 'curveTable', width: 2048, height: 2 });
-  expect(inputs.map(({ values }) => values.length)).toEqual([20, 20, 20]);
-  expect(textures[0]).toMatchObject({ width: 768, height: 2 });
-  expect(textures[0]!.texels).toHaveLength(4 * 768 * 2);
+  expect(inputs.map(({ values }) => values.length)).toEqual([20, 20, 20, 20, 20, 20]);
+  expect(textures).toEqual([]);
   expect(motion.packed(SPACES[0]![1], 2047)).toBeNull();
 });

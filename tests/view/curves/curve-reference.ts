@@ -48,12 +48,16 @@ function motion(real: readonly number[], dual: readonly number[]): Affine {
   };
 }
 
-/** @returns 3 numbers a vertex, and normals that are turned along */
+/**
+ * @param gradientOf  how the row of a vertex's curve changes with its place, where it is known; else from `slopes`
+ * @returns 3 numbers a vertex, and normals that are turned along
+ */
 export function posed(
   { curves, rows, weights, centre, slopes }: Omit<CurveAttributes, 'frames'>,
   texels: ArrayLike<number>,
   rest: ArrayLike<number>,
   normals: ArrayLike<number>,
+  gradientOf?: (vertex: number, slot: number) => ArrayLike<number>,
 ): { readonly positions: Float64Array; readonly normals: Float64Array } {
   const count = rest.length / 3;
   const out = { positions: new Float64Array(3 * count), normals: new Float64Array(3 * count) };
@@ -61,12 +65,13 @@ export function posed(
     const x = vector((k) => rest[3 * v + k]! - centre[k]);
     const parts = [0, 1, 2, 3]
       .map((slot) => ({
+        slot,
         weight: weights[4 * v + slot]!,
         curve: curves[4 * v + slot]!,
         row: rows[4 * v + slot]!,
       }))
       .filter(({ weight }) => weight !== 0)
-      .map(({ weight, curve, row }) => {
+      .map(({ slot, weight, curve, row }) => {
         const first = Math.min(Math.floor(row), 254);
         const share = row - first;
         const texel = (next: number, t: number): Four => {
@@ -95,7 +100,10 @@ export function posed(
           vector((k) => x[k] - slope(0)[k]),
         );
         const inside = row > 0 && row < 255;
-        const gradient = vector((k) => (inside ? slope(1)[k] / Math.max(1 - bend, 0.05) : 0));
+        const known = gradientOf?.(v, slot);
+        const gradient = vector((k) =>
+          known ? known[k]! : inside ? slope(1)[k] / Math.max(1 - bend, 0.05) : 0,
+        );
         const change = outer(
           vector((k) => to[k] - from[k]),
           gradient,

@@ -54,10 +54,10 @@ async function dragged(
   const shown = await runner.opened(recipe, mainInput(step), { signal });
   if (before?.step.id !== step.id || before.shown.key !== shown.key || !before.report) return null;
   const { prepared, texels } = await runner.ask(recipe, step.id, 'curveTable', {}, { signal, onProgress });
-  const motion = await motions.of(
-    prepared,
-    async () => new CurveMotion(await runner.ask(recipe, step.id, 'curveAttributes', {}, { signal })),
-  );
+  const motion = await motions.of(prepared, async () => {
+    const attributes = await runner.ask(recipe, step.id, 'curveAttributes', {}, { signal });
+    return new CurveMotion(attributes, shown.model.positions);
+  });
   const { positions, report } = before;
   return { inputs: [shown], shown, positions, blend: { motion, table: texels }, report, settled: false };
 }

@@ -3,7 +3,7 @@
 import type { CurveAttributes } from '../../kernel/contract/curve';
 import type { MotionTable, PackedMotion, SurfaceMotion } from '../blend/types';
 import type { ViewSpace } from '../view-space';
-import { CURVE_GLSL, ROWS, SLOPES, TEXELS } from './curve-glsl';
+import { CURVE_GLSL, ROWS, TEXELS } from './curve-glsl';
 
 /** Numbers of a row of the kernel's table, and of one at rest. */
 const GIVEN = 20;
@@ -13,26 +13,30 @@ const AT_REST = 9;
 export class CurveMotion implements SurfaceMotion {
   readonly exact = true;
 
-  constructor(private readonly attributes: CurveAttributes) {}
+  /** @param rest  the model's own positions */
+  constructor(
+    private readonly attributes: CurveAttributes,
+    private readonly rest: Float64Array,
+  ) {}
 
   get vertexCount(): number {
     return this.attributes.weights.length / 4;
   }
 
   packed(space: ViewSpace, widest: number): PackedMotion | null {
-    const { curves, rows, weights } = this.attributes;
+    const { curves, weights } = this.attributes;
     const height = this.attributes.slopes.length / (AT_REST * ROWS);
     const width = TEXELS * ROWS;
     if (height > widest || width > widest) return null;
-    const texels = slopesInView(this.attributes, space);
+    const places = placesInView(this.attributes, this.rest, space);
     return {
       glsl: CURVE_GLSL,
       inputs: [
         { name: 'curveNumbers', values: curves },
-        { name: 'curveRows', values: rows },
         { name: 'curveWeights', values: weights },
+        ...places.map((values, slot) => ({ name: `curvePlace${slot}`, values })),
       ],
-      textures: [{ name: 'curveSlopes', width: SLOPES * ROWS, height, texels }],
+      textures: [],
       table: { name: 'curveTable', width, height },
       tableOf: (table) => tableInView(table, this.attributes, space),
     };
@@ -51,23 +55,37 @@ const uprightInto =
     out[at + 3] = w;
   };
 
-/** Rows at rest for drawn places. */
-export function slopesInView(
-  { slopes, centre }: Pick<CurveAttributes, 'slopes' | 'centre'>,
+/**
+ * For each of a vertex's four curves how the row changes with its place, rows per drawn length, then the row: what does not
+ * depend on the pose. Nothing changes beyond the ends.
+ */
+export function placesInView(
+  { curves, rows, weights, slopes, centre }: Omit<CurveAttributes, 'frames'>,
+  rest: Float64Array,
   space: ViewSpace,
-): Float32Array<ArrayBuffer> {
-  const out = new Float32Array((4 * SLOPES * slopes.length) / AT_REST);
-  const put = uprightInto(out, space);
-  const { scale } = space;
-  const [dx, dy, dz] = [0, 1, 2].map((k) => space.centre[k]! - centre[k]!) as [number, number, number];
-  for (let from = 0, at = 0; from < slopes.length; from += AT_REST, at += 4 * SLOPES) {
-    const s = (k: number): number => slopes[from + k]!;
-    put(at, scale * (s(0) - dx), scale * (s(1) - dy), scale * (s(2) - dz), 0);
-    // Both are 1 per length.
-    put(at + 4, s(3) / scale, s(4) / scale, s(5) / scale, 0);
-    put(at + 8, s(6) / scale, s(7) / scale, s(8) / scale, 0);
-  }
-  return out;
+): Float32Array[] {
+  return [0, 1, 2, 3].map((slot) => {
+    const out = new Float32Array(weights.length);
+    const put = uprightInto(out, space);
+    for (let v = 0; 4 * v < out.length; v++) {
+      const k = 4 * v + slot;
+      const row = rows[k]!;
+      if (weights[k] === 0 || !(row > 0 && row < ROWS - 1)) {
+        out[4 * v + 3] = row;
+        continue;
+      }
+      const first = Math.floor(row);
+      const at = AT_REST * (ROWS * curves[k]! + first);
+      const part = (i: number): number =>
+        slopes[at + i]! + (row - first) * (slopes[at + AT_REST + i]! - slopes[at + i]!);
+      let bend = 0;
+      for (let axis = 0; axis < 3; axis++)
+        bend += part(6 + axis) * (rest[3 * v + axis]! - centre[axis]! - part(axis));
+      const by = 1 / (space.scale * Math.max(1 - bend, 0.05));
+      put(4 * v, by * part(3), by * part(4), by * part(5), row);
+    }
+    return out;
+  });
 }
 
 /**
