@@ -1,16 +1,16 @@
 import { signal } from '@preact/signals';
 import { expect, test } from 'vitest';
-import { syncBlend } from '../../web/app/deform/blend-sync';
+import { type Blending, syncBlend } from '../../web/app/blend-sync';
 import type { Evaluation } from '../../web/app/evaluated';
-import type { BlendPort } from '../../web/view/blend/types';
+import type { BlendPort, MotionTable } from '../../web/view/blend/types';
 import type { ViewportPort } from '../../web/view/types';
 
-/** A card that holds surfaces up to a size. */
+/** A card that holds motions of so many vertices. */
 function cardOf(most: number) {
-  const moves: (Float64Array | null)[] = [];
+  const moves: (MotionTable | null)[] = [];
   const port: BlendPort = {
-    setSurface: (surface) => surface !== null && surface.fields.length <= most,
-    move: (offsets) => void moves.push(offsets),
+    setMotion: (motion) => motion !== null && motion.vertexCount <= most,
+    move: (table) => void moves.push(table),
     arrive: () => void moves.push(null),
     readBack: () => null,
   };
@@ -18,19 +18,19 @@ function cardOf(most: number) {
   return { viewport, moves };
 }
 
-const offsets = new Float64Array(12);
+const table = new Float64Array(12);
 
 /** What of an evaluation the card is told. */
 const evaluated = (opened: object, vertices: number | null): Evaluation =>
   ({
     shown: { opened },
-    blend: vertices === null ? null : { surface: { fields: new Float32Array(vertices) }, offsets },
+    blend: vertices === null ? null : { motion: { vertexCount: vertices }, table },
   }) as unknown as Evaluation;
 
-test('a surface that is too much for the card is moved otherwise, and the next model is tried again', () => {
+test('a motion that is too much for the card is moved otherwise, and the next model is tried again', () => {
   const { viewport, moves } = cardOf(100);
   const result = signal<Evaluation | null>(null);
-  const own = { blends: signal(false), readBack: () => null };
+  const own: Blending = { blends: signal(false), readBack: () => null };
   const stop = syncBlend(viewport, { result }, own);
   expect(own.blends.value).toBe(true);
   const [large, small] = [{}, {}];
@@ -43,7 +43,7 @@ test('a surface that is too much for the card is moved otherwise, and the next m
   moves.length = 0;
   result.value = evaluated(small, 10);
   expect(own.blends.value).toBe(true);
-  expect(moves).toEqual([offsets]);
+  expect(moves).toEqual([table]);
   stop();
   expect(own.blends.value).toBe(false);
 });

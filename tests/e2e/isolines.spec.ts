@@ -1,6 +1,8 @@
 import type { DeformWing } from '../../web/app/deform/wing';
-import { blended } from '../view/blend/reference';
+import type { IsolineMotion } from '../../web/view/deform/isoline-motion';
+import { blended } from '../view/deform/isoline-reference';
 import { type Desk, diagonal, expect, gap, handleGap, moved, SIZE, test } from './desk';
+import { pictureTimes } from './picture-times';
 import { rolledObj, sheetRecipe } from './shapes';
 
 test.use({ viewport: SIZE });
@@ -17,12 +19,12 @@ async function onTheCard(desk: Desk) {
     const { evaluator, wings } = window.__lissom.app;
     const { blend, shown } = evaluator.result.peek()!;
     const wing = wings.get('deform') as unknown as DeformWing;
-    const { fields, still, ...surface } = blend!.surface;
+    const { fields, still, ...surface } = (blend!.motion as IsolineMotion).surface;
     return {
       ...{ sets: surface.sets, single: surface.single, basis: surface.basis, controls: surface.controls },
       fields: [...fields],
       still: [...(still ?? [])],
-      offsets: [...blend!.offsets],
+      offsets: [...blend!.table],
       rest: [...shown.model.positions],
       drawn: [...wing.state.readBack()!.positions],
     };
@@ -36,52 +38,6 @@ async function onTheCard(desk: Desk) {
     drawn: Float64Array.from(read.drawn),
   };
 }
-
-/**
- * Milliseconds from one picture to the next while they follow each other: where only the view changes, and where the
- * card moves every vertex first. Medians of turns about, as other work on the machine slows now the one, now the other.
- */
-const pictureTimes = (desk: Desk) =>
-  desk.page.evaluate(async () => {
-    const { app } = window.__lissom;
-    const viewport = app.viewport!;
-    const gl = document.querySelector('canvas')!.getContext('webgl2')!;
-    const pixel = new Uint8Array(4);
-    const pictures = 4;
-    const period = (stir: (share: number) => void) =>
-      new Promise<number>((resolve) => {
-        let drawn = -1; // the first has other work to wait for
-        let from = 0;
-        const stop = viewport.onDraw(() => {
-          gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel); // waits for the card
-          if (drawn === 0) from = performance.now();
-          if (drawn === pictures) {
-            stop();
-            resolve((performance.now() - from) / pictures);
-            return;
-          }
-          stir(1 - ++drawn / 20);
-        });
-        stir(1);
-      });
-    const result = app.evaluator.result as { value: ReturnType<typeof app.evaluator.result.peek> };
-    const { blend } = result.value!;
-    const look = () => {
-      const { camera } = viewport;
-      viewport.camera = camera;
-    };
-    const move = (share: number) => {
-      const offsets = blend!.offsets.map((part) => share * part);
-      result.value = { ...result.value!, blend: { surface: blend!.surface, offsets } };
-    };
-    const [alone, moving]: number[][] = [[], []];
-    for (let turn = 0; turn < 5; turn++) {
-      alone!.push(await period(look));
-      moving!.push(await period(move));
-    }
-    const median = (times: number[]) => times.sort((a, b) => a - b)[Math.floor(times.length / 2)]!;
-    return { alone: median(alone!), moving: median(moving!) };
-  });
 
 test('a drag by isolines follows on the graphics card, settles when the hand lets go, and is a step of undo', async ({
   fresh: desk,

@@ -161,3 +161,22 @@ export function bumpyObj(rings: number, around: number): string {
   lines.push(`f ${cap(0).reverse().join(' ')}`, `f ${cap(rings - 1).join(' ')}`);
   return `${lines.join('\n')}\n`;
 }
+
+/** A tube with caps that stands up, `around` × `along` vertices and two more: 2 wide, 20 high, wavy. */
+export function tubeObj(around: number, along: number): string {
+  const lines = ['v 0 0 0', 'v 0 20 0'];
+  for (let j = 0; j < along; j++)
+    for (let i = 0; i < around; i++) {
+      const angle = (2 * Math.PI * i) / around;
+      const r = 1 + 0.05 * Math.sin(9 * angle) * Math.sin(j / 9);
+      const [x, y, z] = [r * Math.cos(angle), (20 * j) / (along - 1), r * Math.sin(angle)];
+      lines.push(`v ${x.toFixed(5)} ${y.toFixed(5)} ${z.toFixed(5)}`);
+    }
+  const at = (i: number, j: number) => 3 + around * j + (i % around);
+  for (let i = 0; i < around; i++) {
+    lines.push(`f 1 ${at(i, 0)} ${at(i + 1, 0)}`, `f 2 ${at(i + 1, along - 1)} ${at(i, along - 1)}`);
+    for (let j = 0; j + 1 < along; j++)
+      lines.push(`f ${at(i, j)} ${at(i, j + 1)} ${at(i + 1, j + 1)} ${at(i + 1, j)}`);
+  }
+  return `${lines.join('\n')}\n`;
+}

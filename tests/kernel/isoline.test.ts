@@ -3,7 +3,7 @@ import type { KernelPort } from '../../web/kernel/contract';
 import type { IsolineOptions } from '../../web/kernel/contract/isoline';
 import type { HandleSpec } from '../../web/kernel/contract/model';
 import { loadKernel } from '../../web/kernel/node';
-import { blended } from '../view/blend/reference';
+import { blended } from '../view/deform/isoline-reference';
 import { affine, allVertices, bar, gap, transformed, verticesWhere } from './shapes';
 
 let kernel: KernelPort;

@@ -26,6 +26,7 @@ export function contextOf(parts: Partial<LayerContext> = {}): LayerContext {
     } as unknown as WebGLRenderer,
     test: true,
     redraw: () => {},
+    reshaped: () => {},
     settle: () => {},
     onScreen: ({ x, y, z }) => new Vector3(100 * x, -100 * y, 5 - z),
     ...parts,

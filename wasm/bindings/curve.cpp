@@ -121,10 +121,12 @@ val attributes(const HeldCurves& held) {
         val centre = val::array();
         for (const double x : found.centre) centre.call<void>("push", x);
         val result = val::object();
+        result.set("curves", typed_array(found.curves.data(), found.curves.size()));
         result.set("rows", typed_array(found.rows.data(), found.rows.size()));
         result.set("weights", typed_array(found.weights.data(), found.weights.size()));
         result.set("centre", centre);
         result.set("frames", typed_array(found.frames.data(), found.frames.size()));
+        result.set("slopes", typed_array(found.slopes.data(), found.slopes.size()));
         return result;
     });
 }

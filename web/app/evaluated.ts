@@ -7,7 +7,7 @@ import type { Recipe, Step } from '../recipe/recipe';
 import type { Runner } from '../run/evaluate';
 import type { StepReport } from '../run/results';
 import type { ModelResult } from '../run/types';
-import type { BlendSurface } from '../view/blend/types';
+import type { MotionTable, SurfaceMotion } from '../view/blend/types';
 import type { MessageKey } from './i18n';
 
 export type RunnerPort = Pick<Runner, 'run' | 'opened' | 'ask'>;
@@ -18,12 +18,12 @@ export interface EvaluatorPort {
   settled(): Promise<void>;
 }
 
-/** A model moved by a few transformations. */
+/** A model moved on the graphics card. */
 export interface Blend {
   /** Stays the same object from one move to the next. */
-  readonly surface: BlendSurface;
+  readonly motion: SurfaceMotion;
   /** See `BlendPort.move`. */
-  readonly offsets: Float64Array;
+  readonly table: MotionTable;
 }
 
 /** The open step's result. */

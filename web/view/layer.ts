@@ -14,6 +14,8 @@ export interface LayerContext {
   readonly test: boolean;
   /** Something looks different now. */
   redraw(): void;
+  /** The model is drawn in another shape: its shadows follow. */
+  reshaped(): void;
   /** The layer's own space may be another one. If the picture's follows it, every layer is placed anew. */
   settle(): void;
   /** A drawn place in CSS pixels from the top left corner; z < 0 behind the eye. */

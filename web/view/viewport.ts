@@ -91,6 +91,7 @@ export class Viewport implements ViewportPort {
       renderer: this.#renderer,
       test: options.test ?? false,
       redraw: () => this.#redraw(),
+      reshaped: () => this.#reshaped(),
       onScreen: (place) => this.#onScreen(place),
     });
     this.#scene.add(this.#layers.group);
@@ -139,11 +140,8 @@ export class Viewport implements ViewportPort {
   }
 
   setPositions(positions: Float64Array): void {
-    if (!this.#view) return;
-    this.#view.setPositions(positions);
-    // Software rendering in tests cannot afford the shadow at every step.
-    if (!this.options.test) this.#stage.shapeChanged();
-    this.#redraw();
+    this.#view?.setPositions(positions);
+    this.#reshaped();
   }
 
   settlePositions(): void {
@@ -404,6 +402,11 @@ export class Viewport implements ViewportPort {
   #restore(): void {
     this.#stage.restore();
     this.#layers.restore();
+    this.#redraw();
+  }
+
+  #reshaped(): void {
+    if (!this.options.test) this.#stage.shapeChanged(); // software rendering cannot afford it at every step
     this.#redraw();
   }
 

@@ -1,5 +1,5 @@
-// Times curves on a model, one line of JSON per size: once per drawing, a pose where one curve has every vertex, a pose where two
-// share them, and the table alone, which is all that a drag makes. Built like the kernel, natively and for WebAssembly.
+// Times curves on a model, one line of JSON per size: once per drawing, a pose where one curve has every vertex, one where two share half
+// of them, one where they share all, and the table alone, which is all that a drag makes. Built like the kernel, natively and for WebAssembly.
 //
 //   curve_bench [--vertices 10000,170000,544000] [--repeat 20]
 
@@ -32,6 +32,9 @@ Points axis(double from, double to, double aside) {
     return points;
 }
 
+/// Radii over which two curves share half of the vertices between them.
+constexpr double k_half = 6;
+
 /// Seconds of the fastest of some poses.
 double fastest(const CurveSession& session, const std::vector<CurvePosture>& postures, int repeat) {
     double best = INFINITY;
@@ -55,18 +58,26 @@ void run(int vertices, int repeat, bool quiet = false) {
     while (one.step()) {
     }
     const double setup = clock.lap();
-    lissom::CurveOptions wide; // nearly every vertex is shared
-    wide.blending = lissom::CurveBlending::geodesic;
-    wide.blend = 6;
-    CurveSession two(model, {{.rest = axis(-5, 0, 0)}, {.rest = axis(0, 5, 0)}}, {{1, 0, 1}}, wide);
-    while (two.step()) {
-    }
+    const auto sharing = [&](double blend) { // over so many radii
+        lissom::CurveOptions wide;
+        wide.blending = lissom::CurveBlending::geodesic;
+        wide.blend = blend;
+        CurveSession made(model, {{.rest = axis(-5, 0, 0)}, {.rest = axis(0, 5, 0)}}, {{1, 0, 1}}, wide);
+        while (made.step()) {
+        }
+        return made;
+    };
+    const CurveSession two = sharing(k_half);
     const double linked = clock.lap();
+    const CurveSession all = sharing(10);
     const std::vector<CurvePosture> bent{{.points = axis(-5, 5, 0.03)}}, both{{.points = axis(-5, 0, 0.05)}, {.points = axis(0, 5, 0.05)}};
-    const double single = fastest(one, bent, repeat), shared = fastest(two, both, repeat);
-    int blended = 0;
-    const auto weights = two.attributes().weights;
-    for (int v = 0; v < n; ++v) blended += weights[4 * static_cast<std::size_t>(v) + 1] > 0;
+    const double single = fastest(one, bent, repeat), shared = fastest(two, both, repeat), whole = fastest(all, both, repeat);
+    const auto blended = [&](const CurveSession& session) {
+        int count = 0;
+        const auto weights = session.attributes().weights;
+        for (int v = 0; v < n; ++v) count += weights[4 * static_cast<std::size_t>(v) + 1] > 0;
+        return 100.0 * count / n;
+    };
     clock.lap();
     double table = INFINITY;
     for (int r = 0; r < repeat; ++r) {
@@ -78,9 +89,10 @@ void run(int vertices, int repeat, bool quiet = false) {
     const int pairs = lissom::self_intersections(model->mesh).pairs;
     const double crossings = clock.lap();
     if (quiet) return;
-    std::printf("{\"vertices\":%d,\"setup_s\":%.2f,\"linked_s\":%.2f,\"pose_ms\":%.2f,\"one_curve_mverts\":%.0f,\"blended\":\"%.0f %%\",\"blended_mverts\":%.0f,"
-                "\"table_ms\":%.2f,\"memory_mb\":%.0f,\"crossings\":%d,\"crossings_s\":%.2f}\n",
-                n, setup, linked, 1e3 * single, 1e-6 * n / single, 100.0 * blended / n, 1e-6 * n / shared, 1e3 * table, 1e-6 * one.memory_bytes(), pairs, crossings);
+    std::printf("{\"vertices\":%d,\"setup_s\":%.2f,\"regions_s\":%.2f,\"linked_s\":%.2f,\"pose_ms\":%.2f,\"one_curve_mverts\":%.0f,\"shared\":\"%.0f %%\",\"shared_mverts\":%.0f,"
+                "\"blended\":\"%.0f %%\",\"blended_mverts\":%.0f,\"table_ms\":%.2f,\"memory_mb\":%.0f,\"crossings\":%d,\"crossings_s\":%.2f}\n",
+                n, setup, one.seconds().regions, linked, 1e3 * single, 1e-6 * n / single, blended(two), 1e-6 * n / shared, blended(all), 1e-6 * n / whole, 1e3 * table,
+                1e-6 * one.memory_bytes(), pairs, crossings);
     std::fflush(stdout);
 }
 

@@ -102,6 +102,27 @@ TEST_CASE("a bend as tight as the limb is wide is told") {
     CHECK(at.pose(posture, {}, CurveGuard::none).bend == doctest::Approx(most).epsilon(0.05));
 }
 
+TEST_CASE("the change of the row with the place is that of the nearest place") {
+    Points points(6, 3);
+    for (int i = 0; i < 6; ++i) points.row(i) = Eigen::RowVector3d(2 * std::sin(0.4 * i), 2 * std::cos(0.4 * i), 0.1 * i * i);
+    EncodedCurveOptions options;
+    options.radius.assign(6, 0.4);
+    const EncodedCurve at(points, options);
+    const auto row = [&](const Vector3d& x) { return at.row_of(at.curve().nearest(x).t); };
+    for (const double r : {20.0, 77.3, 130.6, 201.9})
+        for (const double aside : {-0.3, 0.0, 0.4}) {
+            const CurveFrame& frame = at.frame_at(r);
+            const Vector3d x = frame.origin + aside * frame.axes.col(1) + 0.2 * frame.axes.col(2);
+            const Vector3d gradient = at.row_gradient(row(x), x);
+            for (int k = 0; k < 3; ++k) {
+                const Vector3d step = 1e-4 * Vector3d::Unit(k);
+                CHECK(gradient[k] == doctest::Approx((row(x + step) - row(x - step)) / 2e-4).epsilon(0.01).scale(gradient.norm()));
+            }
+        }
+    CHECK(at.row_gradient(0, points.row(0).transpose()).isZero());
+    CHECK(at.row_gradient(255, points.row(5).transpose()).isZero());
+}
+
 TEST_CASE("a curve or posture that does not fit is refused") {
     const auto made = [](Points rest, std::vector<double> radius) { return refusal([&] { EncodedCurveOptions options; options.radius = radius; (void)EncodedCurve(rest, options); }); };
     CHECK(made(straight(3), {1, 1}) == "curve-radius");

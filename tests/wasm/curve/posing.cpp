@@ -105,45 +105,56 @@ int crossings(const TriangleMesh& mesh, const Points& moved) { return lissom::se
 
 namespace {
 
-using Vector4f = Eigen::Vector4f;
-using Texel = Vector4f;
+using Texel = Eigen::Vector4f;
+using Eigen::Vector3f;
 
 /// The shader, line by line: `point` or a direction, which no translation moves.
-Eigen::Vector3f shaded(const lissom::CurveAttributes& attributes, const lissom::CurveTable& table, std::size_t v, const Eigen::Vector3f& x, bool direction) {
-    constexpr int rows = lissom::EncodedCurve::k_rows;
-    const auto texel = [&](int row, int k) -> Texel { return Eigen::Map<const Texel>(table.texels.data() + 4 * (static_cast<std::size_t>(row) * lissom::CurveTable::k_texels + static_cast<std::size_t>(k))); };
+Vector3f shaded(const lissom::CurveAttributes& attributes, const lissom::CurveTable& table, std::size_t v, const Vector3f& x, bool direction) {
+    constexpr std::size_t rows = lissom::EncodedCurve::k_rows;
     Texel real = Texel::Zero(), dual = Texel::Zero();
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    Vector3f sum = Vector3f::Zero();
     float left = 1;
     const auto add = [&](float weight, const Texel& r, const Texel& d) {
         const float sided = real.dot(r) < 0 ? -weight : weight;
         real += sided * r;
         dual += sided * d;
     };
+    const auto moved = [&](Texel r, Texel d, const Vector3f& y) -> Vector3f {
+        const float norm = 1 / r.norm();
+        r *= norm;
+        d *= norm;
+        const Vector3f a = r.head<3>(), b = d.head<3>();
+        const Vector3f turned = y + 2 * a.cross(a.cross(y) + r[3] * y);
+        return direction ? turned : Vector3f(turned + 2 * (r[3] * b - d[3] * a + a.cross(b)));
+    };
     for (std::size_t k = 0; k < 4; ++k) {
         const float place = attributes.rows[4 * v + k], weight = attributes.weights[4 * v + k];
         if (weight == 0) continue;
-        const int row = std::min(static_cast<int>(place), static_cast<int>(place) / rows * rows + rows - 1);
-        const int next = row % rows == rows - 1 ? row : row + 1;
+        const std::size_t row = std::min(static_cast<std::size_t>(place), rows - 2), line = attributes.curves[4 * v + k] * rows + row;
         const float share = place - static_cast<float>(row);
-        const auto mixed = [&](int t) -> Texel { return (1 - share) * texel(row, t) + share * texel(next, t); };
+        const auto texel = [&](std::size_t next, int t) -> Texel {
+            return Eigen::Map<const Texel>(table.texels.data() + 4 * ((line + next) * lissom::CurveTable::k_texels + static_cast<std::size_t>(t)));
+        };
+        const auto mixed = [&](int t) -> Texel { return (1 - share) * texel(0, t) + share * texel(1, t); };
+        const auto before = [&](const auto& of) -> Vector3f {
+            Vector3f y = x;
+            if (!direction)
+                for (int axis = 0; axis < 3; ++axis) y[axis] = of(2 + axis).template head<3>().dot(x) + of(2 + axis)[3];
+            return y;
+        };
+        if (weight == 1) {
+            const auto by = [&](std::size_t next) {
+                return moved(texel(next, 0), texel(next, 1), before([&](int t) { return texel(next, t); }));
+            };
+            return (1 - share) * by(0) + share * by(1);
+        }
         add(weight, mixed(0), mixed(1));
-        Eigen::Vector3f y = x;
-        if (!direction)
-            for (int axis = 0; axis < 3; ++axis) y[axis] = mixed(2 + axis).head<3>().dot(x) + mixed(2 + axis)[3];
-        sum += weight * y;
+        sum += weight * before(mixed);
         left -= weight;
     }
-    if (left > 1e-6f) {
-        add(left, Texel(0, 0, 0, 1), Texel::Zero());
-        sum += left * x;
-    }
-    const float norm = 1 / real.norm();
-    real *= norm;
-    dual *= norm;
-    const Eigen::Vector3f r = real.head<3>(), d = dual.head<3>();
-    const Eigen::Vector3f turned = sum + 2 * r.cross(r.cross(sum) + real[3] * sum);
-    return direction ? turned : Eigen::Vector3f(turned + 2 * (real[3] * d - dual[3] * r + r.cross(d)));
+    add(left, Texel(0, 0, 0, 1), Texel::Zero());
+    sum += left * x;
+    return moved(real, dual, sum);
 }
 
 } // namespace

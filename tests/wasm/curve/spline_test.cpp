@@ -112,6 +112,7 @@ TEST_CASE("the nearest point is no farther than any sample, and the way to it is
             CHECK(near.distance <= least + 1e-4 * curve.length());
             if (near.t > 0 && near.t < 1)
                 CHECK(std::abs((curve.point(near.t) - p).normalized().dot(curve.tangent(near.t))) < 1e-6);
+            for (const double aside : {-0.01, 0.0, 0.01}) CHECK(curve.nearest(p, near.t + aside).t == doctest::Approx(near.t).epsilon(1e-9));
         }
     }
 }

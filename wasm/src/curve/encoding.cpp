@@ -61,6 +61,21 @@ EncodedCurve::EncodedCurve(const Points& rest, EncodedCurveOptions options) : op
     }
     first_axes_ = axes_along(curve_.tangent(options_.anchor == CurveEnd::end ? 1.0 : 0.0));
     fine_ = rest_frames(fine_t_);
+    for (int i = 0; i < k_rows; ++i) {
+        const double t = fine_t_[i * k_finer];
+        const Vector3d u = curve_.tangent(t), dd = curve_.second_derivative(t);
+        const double speed2 = curve_.derivative(t).squaredNorm();
+        const bool moves = speed2 > 1e-18 * curve_.length() * curve_.length();
+        slopes_.push_back({fine_[i * k_finer].origin, u * ((k_rows - 1) / curve_.length()), moves ? Vector3d((dd - u * u.dot(dd)) / speed2) : Vector3d::Zero()});
+    }
+}
+
+Vector3d EncodedCurve::row_gradient(double row, const Vector3d& x) const {
+    if (!(row > 0 && row < k_rows - 1)) return Vector3d::Zero();
+    const int i = static_cast<int>(row);
+    const double share = row - i;
+    const auto mixed = [&](Vector3d RowSlope::* what) -> Vector3d { return (1 - share) * slopes_[i].*what + share * slopes_[i + 1].*what; };
+    return mixed(&RowSlope::along) / std::max(1 - mixed(&RowSlope::bend).dot(x - mixed(&RowSlope::origin)), 0.05);
 }
 
 std::vector<CurveFrame> EncodedCurve::rest_frames(std::span<const double> t) const {

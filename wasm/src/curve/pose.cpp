@@ -63,39 +63,76 @@ void pose_singles(const SingleVertices& singles, const CurveRows& rows, const Ve
 
 Vector3d moved(const Matrix34& map, const Vector3d& x) { return map.leftCols<3>() * x + map.col(3); }
 
-/// The blend of a vertex's motions, without the maps before them, and the vertex after those.
-struct Blend {
-    DualQuaternion motion;
-    Column point;
-};
-Blend blend_of(const BlendedVertices& blended, int i, const std::vector<CurveRows>& rows, const std::vector<Columns4>& before, const double* x) {
-    Blend result{{}, Column::Zero()};
-    result.motion.real.setZero();
-    double left = 1;
-    for (int k = blended.offsets[i]; k < blended.offsets[i + 1]; ++k) {
-        const int curve = blended.curves[k];
-        const Between at = between(blended.rows[k]);
-        const double weight = blended.weights[k];
-        const DualQuaternion *here = rows[curve].rigid.data() + at.row, *next = here + 1;
-        DualQuaternion motion;
-        motion.real = here->real + at.share * (next->real - here->real);
-        motion.dual = here->dual + at.share * (next->dual - here->dual);
-        result.motion.add(weight, motion);
-        result.point += weight * moved_between(before[curve], at, x[0], x[1], x[2]);
-        left -= weight;
+/// Two numbers that GCC and Clang compute with at once, in WebAssembly too: left to themselves they do with half of the loop below.
+using Pair = double __attribute__((vector_size(16)));
+
+/// What blended vertices add up of a row: the motion (real, dual), then the columns of the map before it.
+struct BlendNumbers {
+    static constexpr int k_motion = 4, k_size = k_motion + 6; ///< pairs
+    std::array<Pair, k_size> pairs{};
+
+    [[nodiscard]] double operator[](int k) const { return pairs[k / 2][k % 2]; }
+    void add(int k, double x) { pairs[k / 2][k % 2] += x; }
+    [[nodiscard]] Vector4d real() const { return {(*this)[0], (*this)[1], (*this)[2], (*this)[3]}; }
+    [[nodiscard]] Vector4d dual() const { return {(*this)[4], (*this)[5], (*this)[6], (*this)[7]}; }
+    [[nodiscard]] Vector3d column(int c) const {
+        const int k = 2 * k_motion + 3 * c;
+        return {(*this)[k], (*this)[k + 1], (*this)[k + 2]};
     }
-    if (left > 1e-12) {
-        result.motion.add(left, DualQuaternion());
-        result.point += left * Column(x[0], x[1], x[2], 0);
+};
+/// A row's, and what the next row has more.
+struct BlendRow {
+    BlendNumbers here, more;
+};
+using BlendRows = std::vector<BlendRow>;
+
+std::vector<BlendRows> blend_rows(const std::vector<CurveRows>& all) {
+    std::vector<BlendRows> result;
+    for (const CurveRows& rows : all) {
+        BlendRows& of = result.emplace_back(k_rows);
+        for (int i = 0; i < k_rows; ++i) {
+            for (int k = 0; k < 4; ++k) {
+                of[i].here.add(k, rows.rigid[i].real[k]);
+                of[i].here.add(4 + k, rows.rigid[i].dual[k]);
+            }
+            for (int k = 0; k < 12; ++k) of[i].here.add(8 + k, rows.before[i](k % 3, k / 3));
+        }
+        for (int i = 0; i + 1 < k_rows; ++i)
+            for (int k = 0; k < BlendNumbers::k_size; ++k) of[i].more.pairs[k] = of[i + 1].here.pairs[k] - of[i].here.pairs[k];
     }
     return result;
 }
 
-/// The maps before the motions, of every curve.
-std::vector<Columns4> columns_before(const std::vector<CurveRows>& rows) {
-    std::vector<Columns4> result;
-    for (const CurveRows& of : rows) result.push_back(columns_of(of.before, Vector3d::Zero()));
-    return result;
+/// The blend of a vertex's motions and that of the maps before them.
+BlendNumbers blend_of(const BlendedVertices& blended, int i, const std::vector<BlendRows>& rows) {
+    BlendNumbers sum;
+    double left = 1;
+    for (int k = blended.offsets[i]; k < blended.offsets[i + 1]; ++k) {
+        const auto [row, share] = between(blended.rows[k]);
+        const auto& [here, more] = rows[blended.curves[k]][row];
+        const double weight = blended.weights[k];
+        std::array<Pair, BlendNumbers::k_size> mixed;
+        for (int j = 0; j < BlendNumbers::k_size; ++j) mixed[j] = here.pairs[j] + share * more.pairs[j];
+        const Pair along = sum.pairs[0] * mixed[0] + sum.pairs[1] * mixed[1];
+        const double sided = along[0] + along[1] < 0 ? -weight : weight; // motions on one hemisphere
+        for (int j = 0; j < BlendNumbers::k_motion; ++j) sum.pairs[j] += sided * mixed[j];
+        for (int j = BlendNumbers::k_motion; j < BlendNumbers::k_size; ++j) sum.pairs[j] += weight * mixed[j];
+        left -= weight;
+    }
+    if (left > 1e-12) { // rests
+        sum.add(3, sum[3] < 0 ? -left : left);
+        for (int k = 0; k < 3; ++k) sum.add(8 + 4 * k, left);
+    }
+    return sum;
+}
+
+/// What a blend makes of a vertex. One quaternion turns it, so that no matrix is made of it: x + 2 r × (r × x + w x), and the translation of
+/// the dual part. Both are of second degree in the blend, whose length is divided out at the end.
+Vector3d moved(const BlendNumbers& blend, const double* x) {
+    const Vector3d point = blend.column(0) * x[0] + blend.column(1) * x[1] + blend.column(2) * x[2] + blend.column(3);
+    const Vector4d real = blend.real(), dual = blend.dual();
+    const Vector3d r = real.head<3>(), d = dual.head<3>();
+    return point + 2 / real.squaredNorm() * (r.cross(r.cross(point) + real[3] * point + d) + real[3] * d - dual[3] * r);
 }
 
 } // namespace
@@ -133,25 +170,6 @@ CurveSession::State::Posed CurveSession::State::posed(std::span<const CurvePostu
     return result;
 }
 
-CurveRows CurveSession::State::pull(int c, const CurvePosture& posture, const Matrix34& from_parent) const {
-    CurveRows rows;
-    const SplineCurve moved = curves[c].posed_curve(posture);
-    const SplineCurve& drawn = curves[c].curve();
-    Matrix34 identity = Matrix34::Zero();
-    identity.leftCols<3>().setIdentity();
-    const int fine = (k_rows - 1) * EncodedCurve::k_finer + 1;
-    for (int j = 0; j < fine; ++j) { // where links are fixed to the line
-        const double t = drawn.parameter(drawn.length() * j / (fine - 1));
-        rows.fine.push_back({moved.point(t), from_parent.leftCols<3>() * curves[c].frame_at(static_cast<double>(j) / EncodedCurve::k_finer).axes});
-        if (j % EncodedCurve::k_finer != 0) continue;
-        const Vector3d place = drawn.point(t);
-        rows.rigid.emplace_back(from_parent.leftCols<3>(), moved.point(t) - from_parent.leftCols<3>() * place);
-        rows.before.push_back(identity);
-        rows.affine.push_back(rows.rigid.back().matrix());
-    }
-    return rows;
-}
-
 int CurveSession::curve_count() const { return static_cast<int>(state_->specs.size()); }
 
 PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
@@ -180,15 +198,10 @@ PosedPoints CurveSession::posed(std::span<const CurvePosture> postures) const {
         return result;
     }
     for (int c = 0; c < count; ++c) pose_singles(s.singles[c], posed.rows[c], s.centre, s.rest, out);
-    const std::vector<Columns4> before = columns_before(posed.rows);
+    const std::vector<BlendRows> rows = blend_rows(posed.rows);
     for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
         const std::size_t v = 3 * static_cast<std::size_t>(s.blended.vertices[i]);
-        const Blend blend = blend_of(s.blended, i, posed.rows, before, s.rest.data() + v);
-        // One quaternion turns the point, so that no matrix is made of it: x + 2 r × (r × x + w x), and the translation of the dual part.
-        const double norm = 1 / blend.motion.real.norm();
-        const Vector4d r = norm * blend.motion.real, d = norm * blend.motion.dual;
-        const Vector3d axis = r.head<3>(), point = blend.point.head<3>();
-        const Vector3d sum = point + 2 * (axis.cross(axis.cross(point) + r[3] * point + d.head<3>()) + r[3] * d.head<3>() - d[3] * axis) + s.centre;
+        const Vector3d sum = moved(blend_of(s.blended, i, rows), s.rest.data() + v) + s.centre;
         for (int k = 0; k < 3; ++k) out.data()[v + k] = sum[k];
     }
     return result;
@@ -216,28 +229,27 @@ CurveTable CurveSession::table(std::span<const CurvePosture> postures) const {
 CurveAttributes CurveSession::attributes() const {
     const State& s = *state_;
     const std::size_t n = static_cast<std::size_t>(s.rest.rows());
-    CurveAttributes result{std::vector<float>(4 * n, 0), std::vector<float>(4 * n, 0), s.centre, {}};
+    CurveAttributes result{std::vector<std::uint16_t>(4 * n, 0), std::vector<float>(4 * n, 0), std::vector<float>(4 * n, 0), s.centre, {}, {}};
     for (const EncodedCurve& curve : s.curves)
         for (int i = 0; i < k_rows; ++i) {
             const CurveFrame& frame = curve.frame_at(i);
             const Vector3d origin = frame.origin + s.centre;
             result.frames.insert(result.frames.end(), origin.data(), origin.data() + 3);
             result.frames.insert(result.frames.end(), frame.axes.data(), frame.axes.data() + 9);
+            const EncodedCurve::RowSlope& slope = curve.row_slopes()[i];
+            for (const Vector3d* part : {&slope.origin, &slope.along, &slope.bend}) result.slopes.insert(result.slopes.end(), part->data(), part->data() + 3);
         }
+    const auto put = [&](int vertex, int slot, int curve, float row, double weight) {
+        const std::size_t at = 4 * static_cast<std::size_t>(vertex) + static_cast<std::size_t>(slot);
+        result.curves[at] = static_cast<std::uint16_t>(curve);
+        result.rows[at] = row;
+        result.weights[at] = static_cast<float>(weight);
+    };
     for (int c = 0; c < curve_count(); ++c)
-        for (std::size_t i = 0; i < s.singles[c].vertices.size(); ++i) {
-            const std::size_t v = static_cast<std::size_t>(s.singles[c].vertices[i]);
-            result.rows[4 * v] = static_cast<float>(c * k_rows) + s.singles[c].rows[i];
-            result.weights[4 * v] = 1;
-        }
-    for (std::size_t i = 0; i < s.blended.vertices.size(); ++i) {
-        const std::size_t v = static_cast<std::size_t>(s.blended.vertices[i]);
-        for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {
-            const std::size_t at = 4 * v + static_cast<std::size_t>(k - s.blended.offsets[i]);
-            result.rows[at] = static_cast<float>(s.blended.curves[k] * k_rows) + s.blended.rows[k];
-            result.weights[at] = static_cast<float>(s.blended.weights[k]);
-        }
-    }
+        for (std::size_t i = 0; i < s.singles[c].vertices.size(); ++i) put(s.singles[c].vertices[i], 0, c, s.singles[c].rows[i], 1);
+    for (std::size_t i = 0; i < s.blended.vertices.size(); ++i)
+        for (int first = s.blended.offsets[i], k = first; k < s.blended.offsets[i + 1]; ++k)
+            put(s.blended.vertices[i], k - first, s.blended.curves[k], s.blended.rows[k], s.blended.weights[k]);
     return result;
 }
 
@@ -245,18 +257,8 @@ Points CurveSession::normals(std::span<const CurvePosture> postures, const Point
     const State& s = *state_;
     const State::Posed posed = s.posed(postures);
     Points result = normals;
-    const std::vector<Columns4> before = columns_before(posed.rows);
+    const std::vector<BlendRows> blends = blend_rows(posed.rows);
 
-    // ∂s/∂x = u / (1 − κ·(x − C)) of the nearest point at rest; 0 beyond the ends.
-    const auto row_gradient = [&](int c, float row, const Vector3d& x) -> Vector3d {
-        if (row <= 0 || row >= k_rows - 1) return Vector3d::Zero();
-        const EncodedCurve& curve = s.curves[c];
-        const SplineCurve& spline = curve.curve();
-        const double t = spline.parameter(row / (k_rows - 1) * spline.length());
-        const Vector3d d = spline.derivative(t), dd = spline.second_derivative(t);
-        const double speed2 = d.squaredNorm(), slope = speed2 - (x - spline.point(t)).dot(dd); // of ½|C − x|² in t, twice
-        return d * (std::sqrt(speed2) / std::max(slope, 0.05 * speed2)) * ((k_rows - 1) / spline.length());
-    };
     const auto turned = [&](int v, const Matrix3d& J) {
         Matrix3d cof;
         cof << J.col(1).cross(J.col(2)), J.col(2).cross(J.col(0)), J.col(0).cross(J.col(1));
@@ -271,25 +273,22 @@ Points CurveSession::normals(std::span<const CurvePosture> postures, const Point
             const Vector3d x = s.rest.row(v).transpose();
             const Matrix34 &here = posed.rows[c].affine[at], &next = posed.rows[c].affine[at + 1];
             const Matrix34 A = (1 - share) * here + share * next;
-            turned(v, A.leftCols<3>() + (moved(next, x) - moved(here, x)) * row_gradient(c, row, x).transpose());
+            turned(v, A.leftCols<3>() + (moved(next, x) - moved(here, x)) * s.curves[c].row_gradient(row, x).transpose());
         }
     for (int i = 0; i < static_cast<int>(s.blended.vertices.size()); ++i) {
         const int v = s.blended.vertices[i];
         const Vector3d x = s.rest.row(v).transpose();
-        const Blend blend = blend_of(s.blended, i, posed.rows, before, x.data());
-        Matrix3d P = Matrix3d::Zero(), along = Matrix3d::Zero();
-        double left = 1;
+        const BlendNumbers blend = blend_of(s.blended, i, blends);
+        Matrix3d along = Matrix3d::Zero();
         for (int k = s.blended.offsets[i]; k < s.blended.offsets[i + 1]; ++k) {
             const int c = s.blended.curves[k];
-            const auto [at, share] = between(s.blended.rows[k]);
+            const int at = between(s.blended.rows[k]).row;
             const CurveRows& rows = posed.rows[c];
-            const double weight = s.blended.weights[k];
-            P += weight * ((1 - share) * rows.before[at].leftCols<3>() + share * rows.before[at + 1].leftCols<3>());
-            along += weight * (moved(rows.affine[at + 1], x) - moved(rows.affine[at], x)) * row_gradient(c, s.blended.rows[k], x).transpose();
-            left -= weight;
+            along += s.blended.weights[k] * (moved(rows.affine[at + 1], x) - moved(rows.affine[at], x)) * s.curves[c].row_gradient(s.blended.rows[k], x).transpose();
         }
-        P += left * Matrix3d::Identity();
-        turned(v, blend.motion.matrix().leftCols<3>() * P + along);
+        Matrix3d before;
+        before << blend.column(0), blend.column(1), blend.column(2);
+        turned(v, Eigen::Quaterniond(blend.real().normalized()).toRotationMatrix() * before + along);
     }
     return result;
 }

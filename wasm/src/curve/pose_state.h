@@ -1,6 +1,7 @@
 #pragma once
 
-// What CurveSession keeps: shared by pose_prepare.cpp and pose.cpp.
+// What CurveSession keeps. Prepared by pose_steps.cpp: pose_region.cpp and pose_contour.cpp per curve, pose_owners.cpp and
+// pose_influences.cpp for all of them; read by pose.cpp.
 
 #include "lissom/curve/pose.h"
 #include "lissom/curve/region.h"
@@ -8,9 +9,23 @@
 #include "lissom/curve/surface.h"
 #include "lissom/curve/territory.h"
 
+#include <span>
 #include <string>
 
 namespace lissom {
+
+/// Who moves each place, and by how much.
+struct Influence {
+    int curve;
+    float row;
+    double weight;
+};
+struct Influences {
+    std::vector<int> offsets{0}; ///< per place, one more at the end
+    std::vector<Influence> all;
+
+    [[nodiscard]] std::span<const Influence> operator[](int place) const { return {all.data() + offsets[place], all.data() + offsets[place + 1]}; }
+};
 
 /// Vertices that one curve has wholly.
 struct SingleVertices {
@@ -27,7 +42,17 @@ struct BlendedVertices {
     std::vector<double> weights;
 };
 
+/// A curve as it is drawn, in the space of its points.
+[[nodiscard]] inline SplineCurve rest_spline(const Points& points, const std::vector<int>& rigid) {
+    SplineOptions options;
+    options.rigid = rigid;
+    return SplineCurve(points, options);
+}
+[[nodiscard]] inline Points less(const Points& points, const Eigen::Vector3d& centre) { return points.rowwise() - centre.transpose(); }
+
 struct CurveSession::State {
+    static constexpr double k_last = EncodedCurve::k_rows - 1; ///< the last row
+
     // What was given. -------------------------------------------------------------------------------------------
     std::shared_ptr<const WorkingMesh> model; ///< none for a cloud
     Points source;                            ///< of a cloud
@@ -69,7 +94,15 @@ struct CurveSession::State {
     /// What the whole of a contour does: moves, without turning, in the frame of its parent.
     [[nodiscard]] CurveRows pull(int curve, const CurvePosture& posture, const Matrix34& from_parent) const;
     void assign();
+    /// From shares to what a pose reads.
     void encode(const OwnerShares& shares, std::span<const int> owner);
+    [[nodiscard]] Influences influences_of(const OwnerShares& shares, std::span<const int> owner) const;
+    /// The thesis's blend about linked control points, into the last place of `found`.
+    void add_gaussian(Influences& found, int place, int owner) const;
+    /// What contours pull; the others have as much less.
+    void add_contours(Influences& found, int place) const;
+    void find_supports(const Influences& influences);
+    void lay_out(const Influences& influences);
 
     /// Postures less the centre, parents' motions done; and the rows of each curve.
     struct Posed {

@@ -249,7 +249,10 @@ CurveRegion curve_region(const CurveSurface& surface, const SplineCurve& rest, c
     parts.add_other_pieces();
     if (parts.empty()) return {};
     parts.sort_rest();
-    return {parts.source(Part::region), parts.source(Part::start), parts.source(Part::end), parts.source(Part::between)};
+    CurveRegion found{parts.source(Part::region), {}, parts.source(Part::start), parts.source(Part::end), parts.source(Part::between)};
+    found.places.reserve(found.vertices.size());
+    for (const int v : found.vertices) found.places.push_back(places.t(surface.working().working_of_source[v]));
+    return found;
 }
 
 CurveRegion curve_region(const WorkingMesh& model, const SplineCurve& rest, const std::vector<double>& radius, double kappa) {

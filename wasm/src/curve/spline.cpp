@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 namespace {
 
 constexpr int k_pieces = 32; ///< a span, of the table of arc length
+constexpr int k_block = 8;   ///< samples that nearest() passes over at once
 
 struct Tangents {
     Vector3d start, end; ///< dp/du of one span
@@ -80,7 +81,6 @@ SplineCurve::SplineCurve(const Points& controls, const SplineOptions& options) :
         double sum = weights[0] * derivative(middle).norm();
         for (int q = 1; q < 3; ++q) sum += weights[q] * (derivative(middle - nodes[q] * half).norm() + derivative(middle + nodes[q] * half).norm());
         arc_.push_back(arc_.back() + half * sum);
-        longest_step_ = std::max(longest_step_, half * sum);
     }
     for (int k = 0; k <= pieces; ++k) samples_.push_back(point(static_cast<double>(k) / pieces));
 }
@@ -158,16 +158,46 @@ double SplineCurve::parameter(double s) const {
 NearestOnCurve SplineCurve::nearest(const Vector3d& p) const {
     const int last = static_cast<int>(samples_.size()) - 1;
     int best = 0;
-    double least = (samples_[0] - p).norm();
-    for (int k = 1; k <= last;) {
-        const double d = (samples_[k] - p).norm();
-        if (d < least) {
-            least = d;
+    double least = (samples_[0] - p).squaredNorm();
+    const auto look_at = [&](int k) {
+        const double squared = (samples_[k] - p).squaredNorm();
+        if (squared < least || (squared == least && k < best)) {
+            least = squared;
             best = k;
         }
-        // No sample within (d − least) of arc length of this one can be nearer.
-        k += longest_step_ > 0 ? std::max(1, static_cast<int>((d - least) / longest_step_)) : 1;
+        return squared;
+    };
+    for (int k = k_block; k <= last; k += k_block) look_at(k);
+    double nearest = std::sqrt(least), from = (samples_[0] - p).norm();
+    for (int k = 0; k < last; k += k_block) {
+        const double to = (samples_[k + k_block] - p).norm();
+        // Whoever is within such a way of both ends is no nearer than this.
+        if ((from + to - (arc_[k + k_block] - arc_[k])) / 2 <= nearest * (1 + 1e-12)) {
+            for (int i = k + 1; i < k + k_block; ++i) look_at(i);
+            nearest = std::sqrt(least);
+        }
+        from = to;
     }
+    return refined(p, best);
+}
+
+NearestOnCurve SplineCurve::nearest(const Vector3d& p, double near) const {
+    const int last = static_cast<int>(samples_.size()) - 1;
+    int best = static_cast<int>(std::lround(std::clamp(near, 0.0, 1.0) * last));
+    double least = (samples_[best] - p).squaredNorm();
+    for (const int way : {-1, 1})
+        for (int k = best + way; k >= 0 && k <= last; k += way) {
+            const double squared = (samples_[k] - p).squaredNorm();
+            if (squared >= least) break;
+            least = squared;
+            best = k;
+        }
+    return refined(p, best);
+}
+
+NearestOnCurve SplineCurve::refined(const Vector3d& p, int best) const {
+    const int last = static_cast<int>(samples_.size()) - 1;
+    const double least = (samples_[best] - p).norm();
     double low = static_cast<double>(std::max(best - 1, 0)) / last, high = static_cast<double>(std::min(best + 1, last)) / last;
     double t = static_cast<double>(best) / last;
     for (int i = 0; i < 12; ++i) { // f = ½ |C − p|², f′ = (C − p)·C′
@@ -178,8 +208,9 @@ NearestOnCurve SplineCurve::nearest(const Vector3d& p) const {
         const double bend = d.squaredNorm() + gap.dot(second_derivative(t));
         const double next = bend > 0 ? t - slope / bend : (low + high) / 2;
         const double to = next >= low && next <= high ? next : (low + high) / 2;
-        if (std::abs(to - t) <= 1e-15) break;
+        const bool close = std::abs(to - t) <= 1e-9; // the next step would be its square
         t = to;
+        if (close) break;
     }
     const double found = (point(t) - p).norm();
     return found <= least ? NearestOnCurve{t, found} : NearestOnCurve{static_cast<double>(best) / last, least};

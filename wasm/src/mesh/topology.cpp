@@ -8,23 +8,41 @@
 namespace lissom {
 
 VertexRings vertex_rings(const TriangleMesh& mesh) {
-    const std::vector<Edge> all = edges(mesh);
+    const int n = mesh.vertex_count();
+    // Row by row the other two corners of every triangle, most of them twice; then each row sorted, and told once.
+    const auto each_side = [&](auto visit) {
+        for (int t = 0; t < mesh.triangle_count(); ++t)
+            for (int k = 0; k < 3; ++k) {
+                const int from = mesh.triangles(t, k), to = mesh.triangles(t, (k + 1) % 3);
+                if (from != to) visit(from, to);
+            }
+    };
+    std::vector<int> start(n + 1, 0);
+    each_side([&](int from, int to) {
+        ++start[from + 1];
+        ++start[to + 1];
+    });
+    for (int v = 0; v < n; ++v) start[v + 1] += start[v];
     VertexRings rings;
-    rings.offsets.assign(mesh.vertex_count() + 1, 0);
-    for (const Edge& e : all) {
-        ++rings.offsets[e.a + 1];
-        ++rings.offsets[e.b + 1];
+    std::vector<int>& row = rings.neighbours;
+    row.resize(start.back());
+    std::vector<int> next(start.begin(), start.end() - 1);
+    each_side([&](int from, int to) {
+        row[next[from]++] = to;
+        row[next[to]++] = from;
+    });
+    rings.offsets.reserve(n + 1);
+    rings.offsets.push_back(0);
+    std::size_t end = 0; // rows only become shorter, so that none is written over before it is read
+    for (int v = 0; v < n; ++v) {
+        std::sort(row.begin() + start[v], row.begin() + start[v + 1]);
+        int before = -1;
+        for (int k = start[v]; k < start[v + 1]; ++k)
+            if (row[k] != before) row[end++] = before = row[k];
+        rings.offsets.push_back(static_cast<int>(end));
     }
-    for (std::size_t i = 1; i < rings.offsets.size(); ++i)
-        rings.offsets[i] += rings.offsets[i - 1];
-    rings.neighbours.resize(rings.offsets.back());
-
-    // Edges come ordered by (a, b): the smaller neighbours of a vertex first, then the larger ones keeps rows ascending.
-    std::vector<int> next(rings.offsets.begin(), rings.offsets.end() - 1);
-    for (const Edge& e : all)
-        rings.neighbours[next[e.b]++] = e.a;
-    for (const Edge& e : all)
-        rings.neighbours[next[e.a]++] = e.b;
+    row.resize(end);
+    row.shrink_to_fit();
     return rings;
 }
 

@@ -31,7 +31,7 @@ export function create(parts: WingParts): CurvesWing {
     tools: TOOLS,
     group: 'curves',
     commands: curvesCommands(parts, own, actions, follow),
-    strategy: curvesStrategy,
+    strategy: curvesStrategy(own),
     mirrors: true,
     exports: skinExport(parts),
     start: async () => startCurves(parts),

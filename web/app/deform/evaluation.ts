@@ -1,24 +1,27 @@
 // How a deform step is computed for the screen: factored once per set of handles, solved as often as they move. A drag
 // that would be slow so goes by the isolines of the handles, on the graphics card.
 
+import { LastMade } from '../../core/last-made';
 import { inBytes } from '../../core/sizes';
 import type { DeformStep } from '../../recipe/recipe';
 import { mainInput } from '../../recipe/references';
 import type { IsolineDrag } from '../../run/steps/deform/isolines';
 import type { Preparation } from '../../run/steps/step-runner';
-import type { BlendSurface } from '../../view/blend/types';
+import { IsolineMotion } from '../../view/deform/isoline-motion';
 import type { Evaluating, Outcome, Request, Strategy } from '../evaluated';
 import { t } from '../i18n';
 import { sameBefore, untouched } from '../strategy';
 import type { DeformState } from './state';
 
 type DeformRequest = Request<DeformStep>;
+/** By the handles' preparation: a drag asks for its fields once. */
+type Motions = LastMade<IsolineDrag['prepared'], IsolineMotion>;
 
 /** From so many vertices on a solve a frame cannot keep up with the hand, whatever the machine. */
 const LARGE = 60_000;
 
 export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<DeformStep> {
-  const surfaces = new Surfaces();
+  const motions: Motions = new LastMade();
   return {
     busy: 'busy.preparing',
 
@@ -29,7 +32,7 @@ export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<Defor
       const { step, live } = request;
       if (step.handles.length === 0) return untouched(request, evaluating);
       if (live && own.blends.peek() && goesByIsolines(step, evaluating)) {
-        const moved = await dragged(request, evaluating, surfaces);
+        const moved = await dragged(request, evaluating, motions);
         if (moved) return moved;
       }
       return deformed(request, evaluating);
@@ -76,40 +79,24 @@ const announced =
 async function dragged(
   { recipe, step }: DeformRequest,
   { runner, signal, onProgress, say, before }: Evaluating,
-  surfaces: Surfaces,
+  motions: Motions,
 ): Promise<Outcome | null> {
   const shown = await runner.opened(recipe, mainInput(step), { signal });
   const onPreparation = announced(say);
   const drag = await runner.ask(recipe, step.id, 'drag', {}, { signal, onProgress, onPreparation });
   if (!drag) return null;
-  const surface = await surfaces.of(drag.prepared, () =>
-    runner.ask(recipe, step.id, 'dragFields', {}, { signal }),
-  );
+  const motion = await motions.of(drag.prepared, async () => {
+    const { sets, single, basis, controls } = drag.prepared;
+    const fields = await runner.ask(recipe, step.id, 'dragFields', {}, { signal });
+    return new IsolineMotion({ sets, single, basis, controls, ...fields });
+  });
   const known = before?.step.id === step.id && before.shown.key === shown.key ? before : null;
   return {
     inputs: [shown],
     shown,
     positions: known?.positions ?? shown.model.positions,
-    blend: { surface, offsets: drag.offsets },
+    blend: { motion, table: drag.offsets },
     report: known?.report ?? null,
     settled: false,
   };
-}
-
-/** The surface of the last set of handles: a drag asks for it once. */
-class Surfaces {
-  #of: IsolineDrag['prepared'] | undefined;
-  #surface: BlendSurface | undefined;
-
-  async of(
-    prepared: IsolineDrag['prepared'],
-    fetch: () => Promise<Pick<BlendSurface, 'fields' | 'gradients' | 'still'>>,
-  ): Promise<BlendSurface> {
-    if (this.#of !== prepared || !this.#surface) {
-      const { sets, single, basis, controls } = prepared;
-      this.#surface = { sets, single, basis, controls, ...(await fetch()) };
-      this.#of = prepared;
-    }
-    return this.#surface;
-  }
 }

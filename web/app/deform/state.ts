@@ -3,8 +3,8 @@
 import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { stepOf } from '../../recipe/edit';
 import type { DeformStep } from '../../recipe/recipe';
-import type { BlendPort } from '../../view/blend/types';
 import type { GizmoMode } from '../../view/types';
+import type { Blending } from '../blend-sync';
 import type { State } from '../state';
 
 /** Lines of the selected handle's harmonic field, the field itself, or how rigid the surface stays (Isolines fig. 1-4). */
@@ -23,12 +23,10 @@ export interface WhatItDid {
   readonly handles: number;
 }
 
-export class DeformState {
+export class DeformState implements Blending {
   /** The open step while it is one that deforms. */
   readonly step: ReadonlySignal<DeformStep | undefined>;
-  /** For tests: what the graphics card makes of the model, see `BlendPort`. */
-  readBack: BlendPort['readBack'] = () => null;
-  /** Whether the graphics card can move the model by a few transformations. */
+  readBack: Blending['readBack'] = () => null;
   readonly blends = signal(false);
   readonly gizmo = signal<GizmoMode>('translate');
   readonly heat = signal(false);

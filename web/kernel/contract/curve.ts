@@ -69,15 +69,22 @@ export interface PosedCurves extends CurveStrain {
   readonly seconds: { readonly pose: number };
 }
 
-/** What a vertex shader needs once: 4 rows and 4 weights a source vertex, and the place that positions are told from. */
+/** What a vertex shader needs once: 4 curves, rows and weights a source vertex, and the place that positions are told from. */
 export interface CurveAttributes {
-  /** Curve · 256 + row. */
+  /** Their numbers. */
+  readonly curves: Uint16Array;
+  /** In [0, 255]. */
   readonly rows: Float32Array;
   /** 0 where there is none; what is left to 1 rests. */
   readonly weights: Float32Array;
   readonly centre: readonly [number, number, number];
   /** 12 a row at rest: origin in model space, then the axes u, v, w. What bones are made from. */
   readonly frames: Float64Array;
+  /**
+   * 9 a row at rest, what normals are turned by: place C less the centre, g along the curve in rows per length, curvature κ.
+   * A vertex at x changes its row with its place by g / (1 − κ·(x − C)), the divisor at least 0.05.
+   */
+  readonly slopes: Float64Array;
 }
 
 /** What it needs for each pose: 5 texels of 4 numbers a row, 256 rows a curve. */

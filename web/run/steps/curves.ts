@@ -57,6 +57,19 @@ export const curvesRunner = {
       context.kernel.call('proposeCurves', { sketch: (await prepareSketch(context)).id }, signalOf(context)),
     /** What follows each curve, and which end of it stays; the same object for as long as that holds. */
     preparedCurves: prepareCurves,
+    /** A pose for the graphics card, and by what object it may know that its `curveAttributes` still hold. */
+    curveTable: async (step: CurvesStep, context: StepContext) => {
+      const prepared = await prepareCurves(step, context);
+      const args = { curves: prepared.id, postures: step.curves.map(postureOf) };
+      return { ...(await context.kernel.call('curveTable', args, signalOf(context))), prepared };
+    },
+    /** What the graphics card needs once. */
+    curveAttributes: async (step: CurvesStep, context: StepContext) =>
+      context.kernel.call(
+        'curveAttributes',
+        { curves: (await prepareCurves(step, context)).id },
+        signalOf(context),
+      ),
     /** What each curve takes over from its parent. */
     curveParents: async (step: CurvesStep, context: StepContext) =>
       context.kernel.call(

@@ -2,20 +2,19 @@ import { Group } from 'three';
 import type { Layer, LayerContext, LayerKind } from '../layer';
 import type { ModelView } from '../model-view';
 import { ViewSpace } from '../view-space';
-import { offsetsInView, packFields } from './pack';
 import { SurfaceBlend } from './surface-blend';
-import type { BlendPort, BlendSurface } from './types';
+import type { BlendPort, MotionTable, SurfaceMotion } from './types';
 
 /** Milliseconds from how a drag was shown to its result: long enough to be seen as one movement, too short to wait for. */
 const ARRIVAL = 160;
 
-/** Moves the model on screen by a few transformations, all its vertices on the graphics card. */
+/** Moves the model on screen by a small table, all its vertices on the graphics card. */
 class BlendLayer implements Layer, BlendPort {
   readonly group = new Group();
   #space = ViewSpace.identity;
   #model: ModelView | undefined;
-  #surface: BlendSurface | null = null;
-  #offsets: Float64Array | null = null;
+  #motion: SurfaceMotion | null = null;
+  #table: MotionTable | null = null;
   #blend: SurfaceBlend | null = null;
   /** Another number, another movement: what is under way ends. */
   #arrivals = 0;
@@ -27,29 +26,29 @@ class BlendLayer implements Layer, BlendPort {
     this.#drop();
     this.#space = space;
     this.#model = model;
-    this.#surface = null;
-    this.#offsets = null;
+    this.#motion = null;
+    this.#table = null;
   }
 
-  setSurface(surface: BlendSurface | null): boolean {
+  setMotion(motion: SurfaceMotion | null): boolean {
     this.#drop();
-    this.#surface = surface;
-    this.#offsets = null;
+    this.#motion = motion;
+    this.#table = null;
     this.#make();
     return this.#blend !== null;
   }
 
-  move(offsets: Float64Array | null): void {
+  move(table: MotionTable | null): void {
     this.#arrivals++;
-    this.#offsets = offsets;
+    this.#table = table;
     this.#show();
-    this.context.redraw();
+    this.context.reshaped();
   }
 
   arrive(): void {
-    const [blend, model, offsets] = [this.#blend, this.#model, this.#offsets];
+    const [blend, model, table] = [this.#blend, this.#model, this.#table];
     const still = this.context.test || window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (!blend || !model || !offsets || still) {
+    if (!blend || !model || !table || this.#motion?.exact || still) {
       this.move(null);
       return;
     }
@@ -64,7 +63,7 @@ class BlendLayer implements Layer, BlendPort {
         return;
       }
       this.#show(share * share * (3 - 2 * share));
-      this.context.redraw();
+      this.context.reshaped();
       requestAnimationFrame(go);
     };
     go();
@@ -91,14 +90,13 @@ class BlendLayer implements Layer, BlendPort {
 
   #make(): void {
     const { renderer } = this.context;
-    const surface = this.#surface;
+    const motion = this.#motion;
     const model = this.#model;
-    if (!surface || !model || surface.fields.length !== (surface.sets * model.model.positions.length) / 3)
-      return;
-    const packed = packFields(surface, model.space, renderer.capabilities.maxTextureSize);
+    if (!motion || !model || motion.vertexCount !== model.model.positions.length / 3) return;
+    const packed = motion.packed(model.space, renderer.capabilities.maxTextureSize);
     if (!packed) return;
     const gl = renderer.getContext() as WebGL2RenderingContext;
-    this.#blend = new SurfaceBlend(gl, surface, packed, model.drawnAt(model.model.positions));
+    this.#blend = new SurfaceBlend(gl, packed, model.drawnAt(model.model.positions));
     renderer.resetState();
   }
 
@@ -107,11 +105,11 @@ class BlendLayer implements Layer, BlendPort {
     const { renderer } = this.context;
     const model = this.#model;
     if (!this.#blend || !model) return;
-    if (!this.#offsets) {
+    if (!this.#table) {
       model.drawOwn();
       return;
     }
-    this.#blend.move(offsetsInView(this.#offsets, model.space), arrival);
+    this.#blend.move(this.#table, arrival);
     renderer.resetState();
     model.drawOther(this.#blend.position, this.#blend.normal);
   }

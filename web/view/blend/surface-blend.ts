@@ -1,25 +1,15 @@
-// The blend as a pass over the vertices on the graphics card: it writes the buffers that everything which draws the
+// A motion as a pass over the vertices on the graphics card: it writes the buffers that everything which draws the
 // surface reads, so shadows, edges and whatever else follow without knowing of it.
 
 import { GLBufferAttribute } from 'three';
 import type { DrawnShape } from '../model-view';
-import { BLEND_FRAGMENT, BLEND_VERTEX } from './blend-glsl';
-import type { PackedFields } from './pack';
-import type { BlendSurface } from './types';
+import { BLEND_FRAGMENT, blendVertex } from './blend-glsl';
+import type { MotionTable, MotionTexture, PackedMotion, VertexInput } from './types';
 
 const VARYINGS = ['movedPlace', 'movedNormal'];
-const UNIFORMS = [
-  'blendFields',
-  'blendOffsets',
-  'blendSets',
-  'blendControls',
-  'blendSingle',
-  'blendQuadratic',
-  'blendSteepest',
-  'blendArrival',
-] as const;
-
-type Uniforms = Readonly<Record<(typeof UNIFORMS)[number], WebGLUniformLocation | null>>;
+/** Of places and normals; those on the way to them are the next two. */
+const REST = 0;
+const WANTED = 2;
 
 export class SurfaceBlend {
   /** What the last pass wrote. */
@@ -28,28 +18,26 @@ export class SurfaceBlend {
   readonly #count: number;
   readonly #program: WebGLProgram;
   readonly #vertices: WebGLVertexArrayObject;
-  /** At rest, going to, and written: places, then normals. */
-  readonly #rest: WebGLBuffer[];
+  /** What vertices read: places, then normals, at rest, then what the motion has of its own. */
+  readonly #read: WebGLBuffer[];
+  /** Places, then normals, going to, and written. */
   #wanted: WebGLBuffer[] = [];
   readonly #written: WebGLBuffer[];
-  readonly #fields: WebGLTexture;
-  readonly #offsets: WebGLTexture;
-  readonly #at: Uniforms;
+  readonly #textures: WebGLTexture[];
+  readonly #table: WebGLTexture;
+  readonly #arrival: WebGLUniformLocation | null;
 
   /** The state of `gl` is another one afterwards. */
   constructor(
     private readonly gl: WebGL2RenderingContext,
-    private readonly surface: Omit<BlendSurface, 'fields' | 'gradients'>,
-    packed: PackedFields,
+    private readonly motion: PackedMotion,
     rest: DrawnShape,
   ) {
     this.#count = rest.places.length / 3;
-    this.#program = link(gl);
-    this.#at = Object.fromEntries(
-      UNIFORMS.map((name) => [name, gl.getUniformLocation(this.#program, name)]),
-    ) as unknown as Uniforms;
+    this.#program = link(gl, blendVertex(motion.glsl));
+    this.#arrival = gl.getUniformLocation(this.#program, 'blendArrival');
     this.#vertices = gl.createVertexArray();
-    this.#rest = this.#feed(rest, 0);
+    this.#read = [...this.#feed(rest, REST), ...motion.inputs.map((input) => this.#input(input))];
     this.#written = [rest.places, rest.normals].map((array) => filled(gl, array, gl.DYNAMIC_COPY));
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
     const [position, normal] = this.#written.map(
@@ -57,30 +45,13 @@ export class SurfaceBlend {
     );
     this.position = position!;
     this.normal = normal!;
-    this.#fields = texture(gl);
-    const { texels, width, height } = packed;
-    gl.texImage2D(
-      gl.TEXTURE_2D,
-      0,
-      gl.RGBA16UI,
-      width,
-      height,
-      0,
-      gl.RGBA_INTEGER,
-      gl.UNSIGNED_SHORT,
-      texels,
-    );
-    this.#offsets = texture(gl);
-    gl.texStorage2D(gl.TEXTURE_2D, 1, gl.RGBA32F, 3, surface.sets * surface.controls);
+    this.#textures = motion.textures.map((each) => texture(gl, each));
+    const { name, width, height } = motion.table;
+    this.#table = texture(gl, { width, height, texels: null });
     gl.bindTexture(gl.TEXTURE_2D, null);
     gl.useProgram(this.#program);
-    gl.uniform1i(this.#at.blendFields, 0);
-    gl.uniform1i(this.#at.blendOffsets, 1);
-    gl.uniform1i(this.#at.blendSets, surface.sets);
-    gl.uniform1i(this.#at.blendControls, surface.controls);
-    gl.uniform1i(this.#at.blendSingle, Number(surface.single));
-    gl.uniform1i(this.#at.blendQuadratic, Number(surface.basis === 'quadratic'));
-    gl.uniform1f(this.#at.blendSteepest, packed.steepest);
+    for (const [unit, sampler] of [name, ...motion.textures.map((each) => each.name)].entries())
+      gl.uniform1i(gl.getUniformLocation(this.#program, sampler), unit);
     gl.useProgram(null);
   }
 
@@ -91,28 +62,27 @@ export class SurfaceBlend {
    */
   goTo(wanted: DrawnShape): void {
     for (const buffer of this.#wanted) this.gl.deleteBuffer(buffer);
-    this.#wanted = this.#feed(wanted, 2);
+    this.#wanted = this.#feed(wanted, WANTED);
   }
 
   /**
    * One pass. The state of `gl` is another one afterwards.
    *
-   * @param offsets  12 numbers a control, drawn units
    * @param arrival  in [0, 1]: how much of the way to what `goTo` was given
    */
-  move(offsets: Float32Array, arrival = 0): void {
-    const { gl } = this;
+  move(table: MotionTable, arrival = 0): void {
+    const { gl, motion } = this;
+    const { width, height } = motion.table;
     gl.useProgram(this.#program);
-    gl.uniform1f(this.#at.blendArrival, arrival);
-    gl.activeTexture(gl.TEXTURE1);
-    gl.bindTexture(gl.TEXTURE_2D, this.#offsets);
-    const rows = this.surface.sets * this.surface.controls;
-    // Rows of a picture as they are: three draws its own upside down.
-    gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
-    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, 3, rows, gl.RGBA, gl.FLOAT, offsets);
+    gl.uniform1f(this.#arrival, arrival);
+    for (const [i, each] of this.#textures.entries()) {
+      gl.activeTexture(gl.TEXTURE1 + i);
+      gl.bindTexture(gl.TEXTURE_2D, each);
+    }
     gl.activeTexture(gl.TEXTURE0);
-    gl.bindTexture(gl.TEXTURE_2D, this.#fields);
+    gl.bindTexture(gl.TEXTURE_2D, this.#table);
+    plainRows(gl);
+    gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, gl.RGBA, gl.FLOAT, motion.tableOf(table));
     gl.bindVertexArray(this.#vertices);
     // A buffer that is written may be bound nowhere else.
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
@@ -143,9 +113,8 @@ export class SurfaceBlend {
 
   dispose(): void {
     const { gl } = this;
-    for (const buffer of [...this.#rest, ...this.#wanted, ...this.#written]) gl.deleteBuffer(buffer);
-    gl.deleteTexture(this.#fields);
-    gl.deleteTexture(this.#offsets);
+    for (const buffer of [...this.#read, ...this.#wanted, ...this.#written]) gl.deleteBuffer(buffer);
+    for (const each of [...this.#textures, this.#table]) gl.deleteTexture(each);
     gl.deleteVertexArray(this.#vertices);
     gl.deleteProgram(this.#program);
   }
@@ -164,32 +133,64 @@ export class SurfaceBlend {
     gl.bindBuffer(gl.ARRAY_BUFFER, null);
     return buffers;
   }
+
+  #input({ name, values }: VertexInput): WebGLBuffer {
+    const { gl } = this;
+    const location = gl.getAttribLocation(this.#program, name);
+    gl.bindVertexArray(this.#vertices);
+    const buffer = filled(gl, values, gl.STATIC_DRAW);
+    if (location >= 0) {
+      gl.enableVertexAttribArray(location);
+      if (values instanceof Float32Array) gl.vertexAttribPointer(location, 4, gl.FLOAT, false, 0, 0);
+      else gl.vertexAttribIPointer(location, 4, gl.UNSIGNED_SHORT, 0, 0);
+    }
+    gl.bindVertexArray(null);
+    gl.bindBuffer(gl.ARRAY_BUFFER, null);
+    return buffer;
+  }
 }
 
 /** A buffer, left bound. */
-function filled(gl: WebGL2RenderingContext, array: Float32Array, usage: GLenum): WebGLBuffer {
+function filled(gl: WebGL2RenderingContext, array: Float32Array | Uint16Array, usage: GLenum): WebGLBuffer {
   const buffer = gl.createBuffer();
   gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   gl.bufferData(gl.ARRAY_BUFFER, array, usage);
   return buffer;
 }
 
-function texture(gl: WebGL2RenderingContext): WebGLTexture {
+/** Texels as they are, four numbers each. */
+function texture(
+  gl: WebGL2RenderingContext,
+  {
+    width,
+    height,
+    texels,
+  }: Pick<MotionTexture, 'width' | 'height'> & { texels: MotionTexture['texels'] | null },
+): WebGLTexture {
   const made = gl.createTexture();
   gl.activeTexture(gl.TEXTURE0);
   gl.bindTexture(gl.TEXTURE_2D, made);
   for (const filter of [gl.TEXTURE_MIN_FILTER, gl.TEXTURE_MAG_FILTER])
     gl.texParameteri(gl.TEXTURE_2D, filter, gl.NEAREST);
-  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
-  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+  plainRows(gl);
+  const whole = texels instanceof Uint16Array;
+  gl.texStorage2D(gl.TEXTURE_2D, 1, whole ? gl.RGBA16UI : gl.RGBA32F, width, height);
+  const [format, type] = whole ? [gl.RGBA_INTEGER, gl.UNSIGNED_SHORT] : [gl.RGBA, gl.FLOAT];
+  if (texels) gl.texSubImage2D(gl.TEXTURE_2D, 0, 0, 0, width, height, format, type, texels);
   return made;
 }
 
+/** Rows of a picture as they are: three draws its own upside down. */
+function plainRows(gl: WebGL2RenderingContext): void {
+  gl.pixelStorei(gl.UNPACK_FLIP_Y_WEBGL, false);
+  gl.pixelStorei(gl.UNPACK_ALIGNMENT, 4);
+}
+
 /** @throws Error  what the driver says */
-function link(gl: WebGL2RenderingContext): WebGLProgram {
+function link(gl: WebGL2RenderingContext, vertex: string): WebGLProgram {
   const program = gl.createProgram();
   for (const [type, source] of [
-    [gl.VERTEX_SHADER, BLEND_VERTEX],
+    [gl.VERTEX_SHADER, vertex],
     [gl.FRAGMENT_SHADER, BLEND_FRAGMENT],
   ] as const) {
     const shader = gl.createShader(type)!;

@@ -1,40 +1,63 @@
-/** Of which functions of a field value the controls are the coefficients. */
-export type BlendBasis = 'quadratic' | 'hats';
+import type { ViewSpace } from '../view-space';
 
-/**
- * What a surface is moved by: x′ = x + Σ_i φ_i Σ_j b_j(φ_i) d_ij (x, 1), a transformation's offset d for each control, or
- * with a single set x′ = x + Σ_j b_j(φ) d_j (x, 1) (Isolines 4.1).
- */
-export interface BlendSurface {
-  /** Sets of controls, each with a field of its own. */
-  readonly sets: number;
-  /** One set that is not weighted by its field, as for two handles that mirror each other. */
-  readonly single: boolean;
-  readonly basis: BlendBasis;
-  /** Of each set. */
-  readonly controls: number;
-  /** Sets of numbers per vertex, vertex by vertex: its value in each field, in [0, 1]. */
-  readonly fields: Float32Array;
-  /** The fields' gradients on the surface, 1 per model unit: 3 numbers per field, vertex by vertex. */
-  readonly gradients: Float32Array;
-  /** Vertices that stay where they are, one flag each; left out: none. */
-  readonly still?: Uint8Array;
+/** A way to move all vertices of a model at once, on the graphics card, by a small table a move. */
+export interface SurfaceMotion {
+  readonly vertexCount: number;
+  /** The kernel puts vertices in the same places: what is seen while the hand moves is what remains. */
+  readonly exact: boolean;
+  /**
+   * What the card is given once, for a model drawn in a space.
+   *
+   * @param widest  of a texture
+   * @returns `null` where it has no room for so much
+   */
+  packed(space: ViewSpace, widest: number): PackedMotion | null;
+}
+
+export interface PackedMotion {
+  /**
+   * GLSL: declares inputs, textures and table by their names and defines
+   * `void moved(vec3 place, vec3 normal, out vec3 toPlace, out vec3 toNormal)`, in drawn units.
+   */
+  readonly glsl: string;
+  readonly inputs: readonly VertexInput[];
+  readonly textures: readonly MotionTexture[];
+  /** A float texture of four numbers a texel. */
+  readonly table: { readonly name: string; readonly width: number; readonly height: number };
+  /** Its texels for a move, from what `BlendPort.move` was given. */
+  readonly tableOf: (move: MotionTable) => Float32Array<ArrayBuffer>;
+}
+
+export type MotionTable = Float32Array | Float64Array;
+
+/** Four numbers a vertex: `in vec4` of floats, `in uvec4` of whole numbers. */
+export interface VertexInput {
+  readonly name: string;
+  readonly values: Float32Array | Uint16Array;
+}
+
+/** Four numbers a texel: `sampler2D` of floats, `usampler2D` of whole numbers. */
+export interface MotionTexture {
+  readonly name: string;
+  readonly width: number;
+  readonly height: number;
+  readonly texels: Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
 }
 
 export interface BlendPort {
   /**
-   * The fields of the model on screen, kept on the graphics card until others come, or another model.
+   * How the model on screen is moved, kept on the graphics card until another way comes, or another model.
    *
    * @returns whether it can be moved so: the card may have no room for that many numbers
    */
-  setSurface(surface: BlendSurface | null): boolean;
+  setMotion(motion: SurfaceMotion | null): boolean;
   /**
    * Moves the surface as of the next picture.
    *
-   * @param offsets  12 numbers a control, rows of [A − 1 | b] in model space; `null`: the shape that was set otherwise
+   * @param table  in model space, as the motion reads it; `null`: the shape that was set otherwise
    */
-  move(offsets: Float64Array | null): void;
-  /** Goes over to the shape that was set otherwise, within a moment. */
+  move(table: MotionTable | null): void;
+  /** Goes over to the shape that was set otherwise: within a moment, at once where it is the same. */
   arrive(): void;
   /** Where the graphics card puts the vertices, 3 numbers each in model space, and their normals. For tests, and slow. */
   readBack(): { readonly positions: Float64Array; readonly normals: Float32Array } | null;

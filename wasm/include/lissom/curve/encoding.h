@@ -72,6 +72,17 @@ public:
     /// Radius at a row.
     [[nodiscard]] double radius_at(double row) const;
 
+    /// What the curve at rest is at a row, for the change of the row with the place.
+    struct RowSlope {
+        Eigen::Vector3d origin; ///< C
+        Eigen::Vector3d along;  ///< g: the unit tangent times rows per length
+        Eigen::Vector3d bend;   ///< κ: the curvature, towards the centre of the bend
+    };
+    [[nodiscard]] const std::vector<RowSlope>& row_slopes() const { return slopes_; }
+    /// ∂row/∂x = g / (1 − κ·(x − C)) for a vertex at x whose nearest place is `row`, with C, g and κ interpolated between two rows and the divisor
+    /// at least 0.05 (beyond the centre of a bend it has no meaning). 0 beyond the ends.
+    [[nodiscard]] Eigen::Vector3d row_gradient(double row, const Eigen::Vector3d& x) const;
+
     /// @param supports  per row; read by the guard and for `bend`
     /// @throws InvalidInput `posed-points`, `curve-twist`, `curve-scale` (not one per control point), `non-finite-curve`
     [[nodiscard]] CurveRows pose(const CurvePosture& posture, std::span<const RowSupport> supports, CurveGuard guard) const;
@@ -102,6 +113,7 @@ private:
     Eigen::Matrix3d first_axes_;
     std::vector<double> fine_lengths_, fine_t_, control_lengths_;
     std::vector<CurveFrame> fine_;
+    std::vector<RowSlope> slopes_;
 };
 
 } // namespace lissom

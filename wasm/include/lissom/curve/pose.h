@@ -5,6 +5,7 @@
 #include "lissom/curve/ownership.h"
 #include "lissom/mesh/working_mesh.h"
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -60,7 +61,8 @@ struct PosedPoints {
 
 /// A pose as data for a vertex shader: `k_texels` texels of four numbers a row, rows of a curve one after the other, curves likewise.
 /// x′ = c + q(Σ w_k P_k (x − c)), with P from texels 2–4 (rows of a 3×4) and q = Σ w_k (real, dual), texels 0 and 1, each of the sign that
-/// agrees with the first, then of unit length; all interpolated between two rows; what the weights leave to 1 is the identity's.
+/// agrees with those before, then of unit length; all interpolated between two rows; what the weights leave to 1 is the identity's.
+/// A vertex of one weight 1 stands between where its two rows put it: x′ = c + (1 − f) q_i(P_i (x − c)) + f q_{i+1}(P_{i+1} (x − c)).
 struct CurveTable {
     static constexpr int k_texels = 5;
     std::vector<float> texels;
@@ -69,10 +71,12 @@ struct CurveTable {
 
 /// Who moves each source vertex, for that shader: 4 a vertex; weights sum to 1, or to less where some of it rests.
 struct CurveAttributes {
-    std::vector<float> rows;    ///< curve · 256 + row
+    std::vector<std::uint16_t> curves;
+    std::vector<float> rows;    ///< in [0, 255]: apart from the curve, or many curves would leave few digits to the row
     std::vector<float> weights; ///< 0 where there is none
     Eigen::Vector3d centre;     ///< c
     std::vector<double> frames; ///< of each row at rest: origin (source space), u, v, w; 12 a row. What bones are made from
+    std::vector<double> slopes; ///< of each row at rest: EncodedCurve::RowSlope, less the centre; 9 a row. What normals are turned by
 };
 
 /// Curves on a model: prepared once, posed many times.
@@ -117,8 +121,8 @@ public:
     [[nodiscard]] CurveTable table(std::span<const CurvePosture> postures) const;
     [[nodiscard]] CurveAttributes attributes() const;
 
-    /// Unit normals of the pose: rest normals times the cofactors of ∂x′/∂x, with the change of place along the curve in it. Without
-    /// the change of shares, so that beside a link they are near those of the posed surface, elsewhere equal to them but for the mesh.
+    /// Unit normals of the pose: rest normals times the cofactors of ∂x′/∂x, with the change of place along the curve in it
+    /// (EncodedCurve::row_gradient). Without the change of shares, so that beside a link they are near those of the posed surface, elsewhere equal to them but for the mesh.
     /// @param normals  n×3, of source vertices at rest
     [[nodiscard]] Points normals(std::span<const CurvePosture> postures, const Points& normals) const;
 

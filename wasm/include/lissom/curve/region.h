@@ -10,6 +10,7 @@ namespace lissom {
 /// What of a model follows a curve, in source vertices, each list ascending. Vertices in none of them stay at rest.
 struct CurveRegion {
     std::vector<int> vertices;           ///< follow the curve itself
+    std::vector<double> places;          ///< of each of them: its place t along the curve, to about a fiftieth of a span
     std::vector<int> startSide, endSide; ///< the rest that touches that end: follows its frame
     std::vector<int> between;            ///< the rest that touches both ends: to be blended between their frames
 };

@@ -66,9 +66,11 @@ public:
     /// The t at which arc_length is s; s is clamped to [0, length()].
     [[nodiscard]] double parameter(double s) const;
 
-    /// The nearest point to p; the smallest t of equally near samples. From a walk along samples that leaves out those which cannot be
-    /// nearer than the best so far, then Newton steps kept between the neighbouring samples.
+    /// The nearest point to p; the smallest t of equally near samples. Blocks of samples that cannot be nearer than the best of their ends
+    /// are left out, then Newton steps kept between the neighbouring samples.
     [[nodiscard]] NearestOnCurve nearest(const Eigen::Vector3d& p) const;
+    /// The same where a place near it is known: downhill along samples from there. What is nearer beyond a rise is not found.
+    [[nodiscard]] NearestOnCurve nearest(const Eigen::Vector3d& p, double near) const;
 
 private:
     struct Span {
@@ -76,12 +78,13 @@ private:
     };
     /// Which span t falls in and where in it: min(⌊(n−1)t⌋, n−2), for t = 1 belongs to the last (Blanco A.10 reads past it).
     [[nodiscard]] std::pair<int, double> at(double t) const;
+    /// From the nearest sample to the nearest point.
+    [[nodiscard]] NearestOnCurve refined(const Eigen::Vector3d& p, int sample) const;
 
     Points controls_;
     std::vector<Span> spans_;
     std::vector<double> arc_;              ///< length up to each piece's start, one more at the end
     std::vector<Eigen::Vector3d> samples_; ///< at equal steps of t, for nearest()
-    double longest_step_ = 0;              ///< arc length between neighbouring samples, at most
 };
 
 } // namespace lissom

@@ -90,7 +90,7 @@ function moved(
 }
 
 /** The two joints beside each of a vertex's places, the four that count most. */
-function influences({ rows, weights: shares }: CurveAttributes): Pick<Skin, 'indices' | 'weights'> {
+function influences({ curves, rows, weights: shares }: CurveAttributes): Pick<Skin, 'indices' | 'weights'> {
   const vertices = rows.length / 4;
   const indices = new Uint16Array(INFLUENCES * vertices);
   const weights = new Float32Array(INFLUENCES * vertices);
@@ -101,8 +101,7 @@ function influences({ rows, weights: shares }: CurveAttributes): Pick<Skin, 'ind
     for (let k = 4 * v; k < 4 * v + 4; k++) {
       if (shares[k] === 0) continue;
       resting -= shares[k]!;
-      const curve = Math.floor(rows[k]! / ROWS);
-      const row = rows[k]! - ROWS * curve;
+      const [curve, row] = [curves[k]!, rows[k]!];
       let j = Math.min(JOINTS - 2, Math.floor((row * (JOINTS - 1)) / (ROWS - 1)));
       while (j > 0 && rowOf(j) > row) j--;
       while (j < JOINTS - 2 && rowOf(j + 1) < row) j++;

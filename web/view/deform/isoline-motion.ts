@@ -1,7 +1,34 @@
-// Fields and transformations as the graphics card takes them.
+// A drag by isolines as the graphics card takes it: fields once, transformations a move.
 
+import type { MotionTable, PackedMotion, SurfaceMotion } from '../blend/types';
 import type { ViewSpace } from '../view-space';
-import type { BlendSurface } from './types';
+import { isolineGlsl } from './isoline-glsl';
+import type { IsolineSurface } from './types';
+
+/** Moves it by 12 numbers a control, rows of [A − 1 | b]. What remains is the unreduced method's. */
+export class IsolineMotion implements SurfaceMotion {
+  readonly exact = false;
+
+  constructor(readonly surface: IsolineSurface) {}
+
+  get vertexCount(): number {
+    return this.surface.fields.length / this.surface.sets;
+  }
+
+  packed(space: ViewSpace, widest: number): PackedMotion | null {
+    const { surface } = this;
+    const fields = packFields(surface, space, widest);
+    const height = surface.sets * surface.controls;
+    if (!fields || height > widest) return null;
+    return {
+      glsl: isolineGlsl(surface, fields.steepest),
+      inputs: [],
+      textures: [{ name: 'isolineFields', ...fields }],
+      table: { name: 'isolineOffsets', width: 3, height },
+      tableOf: (offsets) => offsetsInView(offsets, space),
+    };
+  }
+}
 
 /** Whole numbers from 0 to 1. */
 const UNIT = 65535;
@@ -19,7 +46,7 @@ export interface PackedFields {
 }
 
 /** @param widest  of a texture. @returns `null` where they do not fit into one */
-export function packFields(surface: BlendSurface, space: ViewSpace, widest: number): PackedFields | null {
+export function packFields(surface: IsolineSurface, space: ViewSpace, widest: number): PackedFields | null {
   const { sets, fields, gradients, still } = surface;
   const count = fields.length;
   const width = Math.max(1, Math.min(widest, count));
@@ -47,7 +74,7 @@ export function packFields(surface: BlendSurface, space: ViewSpace, widest: numb
  * @param offsets  12 numbers each, rows of [A − 1 | b]
  */
 export function offsetsInView(
-  offsets: Float64Array,
+  offsets: MotionTable,
   { centre, scale, zUp }: ViewSpace,
 ): Float32Array<ArrayBuffer> {
   const out = new Float32Array(offsets.length);

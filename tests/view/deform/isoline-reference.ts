@@ -1,8 +1,8 @@
 // The blend vertex by vertex, as the paper writes it: what the kernel and the graphics card are both held to.
 
-import type { BlendSurface } from '../../../web/view/blend/types';
+import type { IsolineSurface } from '../../../web/view/deform/types';
 
-type Formula = Pick<BlendSurface, 'sets' | 'single' | 'basis' | 'controls' | 'fields' | 'still'>;
+type Formula = Pick<IsolineSurface, 'sets' | 'single' | 'basis' | 'controls' | 'fields' | 'still'>;
 
 /** @returns 3 numbers a vertex: x + Σ_i φ_i Σ_j b_j(φ_i) d_ij (x, 1) */
 export function blended(surface: Formula, offsets: Float64Array, rest: Float64Array): Float64Array {
@@ -30,7 +30,7 @@ const dot = (a: Float64Array, i: number, b: Float64Array, j: number): number =>
   a[i]! * b[j]! + a[i + 1]! * b[j + 1]! + a[i + 2]! * b[j + 2]!;
 
 /** Function j of `controls`, by the recursion of Cox and de Boor over clamped even knots. */
-function basis(kind: BlendSurface['basis'], controls: number, j: number, phi: number): number {
+function basis(kind: IsolineSurface['basis'], controls: number, j: number, phi: number): number {
   const degree = kind === 'quadratic' ? 2 : 1;
   const spans = controls - degree;
   const knot = (k: number): number => Math.min(spans, Math.max(0, k - degree)) / spans;

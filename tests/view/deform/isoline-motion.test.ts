@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { offsetsInView, packFields } from '../../../web/view/blend/pack';
-import type { BlendSurface } from '../../../web/view/blend/types';
+import { IsolineMotion, offsetsInView, packFields } from '../../../web/view/deform/isoline-motion';
+import type { IsolineSurface } from '../../../web/view/deform/types';
 import type { Vec3 } from '../../../web/view/types';
 import { ViewSpace } from '../../../web/view/view-space';
 
@@ -30,7 +30,7 @@ test.each(SPACES)('an offset moves drawn places as it moves the model’s, %s up
   }
 });
 
-const surface = (parts: Partial<BlendSurface> = {}): BlendSurface => ({
+const surface = (parts: Partial<IsolineSurface> = {}): IsolineSurface => ({
   sets: 2,
   single: false,
   basis: 'quadratic',
@@ -78,4 +78,13 @@ test('what is too much for one texture is not packed', () => {
   const { width, height } = packFields(surface(), SPACES[0]![1], 3)!;
   expect([width, height]).toEqual([3, 2]);
   expect(packFields(surface(), SPACES[0]![1], 2)).toBeNull();
+});
+
+test('the shader is written for its surface, and more controls than a texture has lines are too many', () => {
+  const motion = new IsolineMotion(surface());
+  expect(motion.vertexCount).toBe(3);
+  const { glsl, table } = motion.packed(SPACES[0]![1], 4096)!;
+  expect(glsl).toMatch(/const int SETS = 2;\s+const int CONTROLS = 10;/);
+  expect(table).toEqual({ name: 'isolineOffsets', width: 3, height: 20 });
+  expect(motion.packed(SPACES[0]![1], 19)).toBeNull();
 });
