@@ -84,9 +84,14 @@ const request = (of: CurvesStep, live: boolean): Request<CurvesStep> => ({
   wish: '',
 });
 
+const card = (blends: boolean, drawn = false) => ({
+  blends: signal(blends),
+  contours: { on: signal(drawn) },
+});
+
 test('a drag asks for a table a move, and once for what vertices go by', async () => {
   const { asked, prepared, evaluating } = world();
-  const strategy = curvesStrategy({ blends: signal(true) });
+  const strategy = curvesStrategy(card(true));
   const first = await strategy.run(request(step, true), evaluating(before));
   expect(first).toMatchObject({ positions: before.positions, settled: false, report: before.report });
   expect(first.blend!.motion.vertexCount).toBe(2);
@@ -101,17 +106,15 @@ test('a drag asks for a table a move, and once for what vertices go by', async (
 
 test.each([
   ['the hand has let go', step, false, true, before],
+  ['the model is a drawing', step, true, true, before, true],
   ['the card cannot hold the model', step, true, false, before],
   ['planes pose it', slabs, true, true, before],
   ['nothing is on screen yet', step, true, true, null],
   ['another step is', step, true, true, { ...before, step: { ...step, id: 'other' } }],
   ['it has not been run yet', step, true, true, { ...before, report: null }],
-] as const)('vertices are computed where %s', async (_, of, live, blends, shownBefore) => {
+] as const)('vertices are computed where %s', async (_, of, live, blends, shownBefore, drawn?: boolean) => {
   const { asked, evaluating } = world();
-  const outcome = await curvesStrategy({ blends: signal(blends) }).run(
-    request(of, live),
-    evaluating(shownBefore),
-  );
+  const outcome = await curvesStrategy(card(blends, drawn)).run(request(of, live), evaluating(shownBefore));
   expect(asked).toEqual(['run']);
   expect(outcome.blend).toBeUndefined();
   expect([...outcome.positions]).toEqual([0, 1, 2, 3, 4, 5]);

@@ -14,7 +14,9 @@ type CurvesRequest = Request<CurvesStep>;
 /** By the curves' preparation: a drag asks for their attributes once. */
 type Motions = LastMade<PreparedCurves, CurveMotion>;
 
-export function curvesStrategy(own: Pick<CurvesState, 'blends' | 'contours'>): Strategy<CurvesStep> {
+type Own = Pick<CurvesState, 'blends'> & { readonly contours: Pick<CurvesState['contours'], 'on'> };
+
+export function curvesStrategy(own: Own): Strategy<CurvesStep> {
   const motions: Motions = new LastMade();
   return {
     busy: 'busy.curves',
