@@ -26,7 +26,6 @@ mat3 before, along;
 float left;
 
 void add(float weight, uint curve, vec4 place, vec4 here) {
-  if (weight == 0.0) return;
   int first = min(int(place.w), ${ROWS - 2});
   float share = place.w - float(first);
   ivec2 at = ivec2(${TEXELS} * first, curve), next = at + ivec2(${TEXELS}, 0);
@@ -45,7 +44,8 @@ void add(float weight, uint curve, vec4 place, vec4 here) {
 
 void moved(vec3 place, vec3 normal, out vec3 toPlace, out vec3 toNormal) {
   vec4 here = vec4(place, 1.0);
-  if (curveWeights.x == 1.0) {
+  bool single = curveWeights.x == 1.0;
+  if (single) {
     int first = min(int(curvePlace0.w), ${ROWS - 2});
     float share = curvePlace0.w - float(first);
     ivec2 at = ivec2(${TEXELS} * first, curveNumbers.x), next = at + ivec2(${TEXELS}, 0);
@@ -55,16 +55,19 @@ void moved(vec3 place, vec3 normal, out vec3 toPlace, out vec3 toNormal) {
     vec4 x = lowX + share * moreX, y = lowY + share * moreY, z = lowZ + share * moreZ;
     toPlace = ofLines(x, y, z, here);
     toNormal = turned(turnOfLines(x, y, z) + outerProduct(change, curvePlace0.xyz), normal);
-    return;
   }
   real = dual = vec4(0.0);
   sum = vec3(0.0);
   before = along = mat3(0.0);
   left = 1.0;
-  add(curveWeights.x, curveNumbers.x, curvePlace0, here);
-  add(curveWeights.y, curveNumbers.y, curvePlace1, here);
-  add(curveWeights.z, curveNumbers.z, curvePlace2, here);
-  add(curveWeights.w, curveNumbers.w, curvePlace3, here);
+  // A loop, not a branch: drawn in software, all branches are gone through, but loops that no vertex is in are left.
+  int count = single ? 0 : 4;
+  for (int k = 0; k < count; k++) {
+    if (curveWeights[k] == 0.0) continue;
+    vec4 on = k == 0 ? curvePlace0 : k == 1 ? curvePlace1 : k == 2 ? curvePlace2 : curvePlace3;
+    add(curveWeights[k], curveNumbers[k], on, here);
+  }
+  if (single) return;
   // What the weights leave rests.
   real.w += real.w < 0.0 ? -left : left;
   sum += left * place;
