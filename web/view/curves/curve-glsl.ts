@@ -8,8 +8,9 @@ export const CURVE_GLSL = /* glsl */ `
 uniform sampler2D curveTable; // a curve a line
 in uvec4 curveNumbers;
 in vec4 curveWeights;
-// Of each curve how the row changes with the place, then the row.
-in vec4 curvePlace0, curvePlace1, curvePlace2, curvePlace3;
+// Of each curve how the row changes with the place, then the row: the first curve's, and three a vertex of the others.
+in vec4 curvePlace;
+uniform sampler2D curvePlaces;
 
 vec4 ofTable(ivec2 at, int texel) { return texelFetch(curveTable, at + ivec2(texel, 0), 0); }
 // Between a row and the next.
@@ -46,15 +47,15 @@ void moved(vec3 place, vec3 normal, out vec3 toPlace, out vec3 toNormal) {
   vec4 here = vec4(place, 1.0);
   bool single = curveWeights.x == 1.0;
   if (single) {
-    int first = min(int(curvePlace0.w), ${ROWS - 2});
-    float share = curvePlace0.w - float(first);
+    int first = min(int(curvePlace.w), ${ROWS - 2});
+    float share = curvePlace.w - float(first);
     ivec2 at = ivec2(${TEXELS} * first, curveNumbers.x), next = at + ivec2(${TEXELS}, 0);
     vec4 lowX = ofTable(at, 5), lowY = ofTable(at, 6), lowZ = ofTable(at, 7);
     vec4 moreX = ofTable(next, 5) - lowX, moreY = ofTable(next, 6) - lowY, moreZ = ofTable(next, 7) - lowZ;
     vec3 change = ofLines(moreX, moreY, moreZ, here);
     vec4 x = lowX + share * moreX, y = lowY + share * moreY, z = lowZ + share * moreZ;
     toPlace = ofLines(x, y, z, here);
-    toNormal = turned(turnOfLines(x, y, z) + outerProduct(change, curvePlace0.xyz), normal);
+    toNormal = turned(turnOfLines(x, y, z) + outerProduct(change, curvePlace.xyz), normal);
   }
   real = dual = vec4(0.0);
   sum = vec3(0.0);
@@ -64,7 +65,8 @@ void moved(vec3 place, vec3 normal, out vec3 toPlace, out vec3 toNormal) {
   int count = single ? 0 : 4;
   for (int k = 0; k < count; k++) {
     if (curveWeights[k] == 0.0) continue;
-    vec4 on = k == 0 ? curvePlace0 : k == 1 ? curvePlace1 : k == 2 ? curvePlace2 : curvePlace3;
+    int other = 3 * gl_VertexID + k - 1, width = textureSize(curvePlaces, 0).x;
+    vec4 on = k == 0 ? curvePlace : texelFetch(curvePlaces, ivec2(other % width, other / width), 0);
     add(curveWeights[k], curveNumbers[k], on, here);
   }
   if (single) return;
