@@ -66,10 +66,10 @@ test.each(SPACES)('a table moves drawn places and normals as it moves the modelâ
       return k % 3 === 1 ? directions[k + 1]! : -directions[k - 1]!;
     });
   const packed = tableInView(texels, attributes, space);
-  const gradients = placesInView(attributes, rest, space);
+  const { first, texels: others } = placesInView(attributes, rest, space, 4 * 3 * 5);
   const own = { ...attributes, centre: [0, 0, 0] as const };
   const seen = posed(own, asGiven(packed), drawn, upright(normals), (v, slot) =>
-    gradients[slot]!.subarray(4 * v, 4 * v + 3),
+    slot === 0 ? first.subarray(4 * v, 4 * v + 3) : others.subarray(4 * (3 * v + slot - 1)),
   );
   const wanted = new Float32Array(rest.length);
   space.place(model.positions, wanted);
@@ -102,7 +102,8 @@ test('a card with textures too small or too few lines is not used', () => {
   expect(motion.vertexCount).toBe(5);
   const { table, inputs, textures } = motion.packed(SPACES[0]![1], 2048)!;
   expect(table).toEqual({ name: 'curveTable', width: 2048, height: 2 });
-  expect(inputs.map(({ values }) => values.length)).toEqual([20, 20, 20, 20, 20, 20]);
-  expect(textures).toEqual([]);
+  expect(inputs.map(({ values }) => values.length)).toEqual([20, 20, 20]);
+  expect(textures[0]).toMatchObject({ name: 'curvePlaces', width: 2048, height: 1 });
+  expect(textures[0]!.texels).toHaveLength(4 * 2048);
   expect(motion.packed(SPACES[0]![1], 2047)).toBeNull();
 });

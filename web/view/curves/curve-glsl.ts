@@ -8,8 +8,9 @@ export const CURVE_GLSL = /* glsl */ `
 uniform sampler2D curveTable; // a curve a line
 in uvec4 curveNumbers;
 in vec4 curveWeights;
-// Of each curve how the row changes with the place, then the row.
-in vec4 curvePlace0, curvePlace1, curvePlace2, curvePlace3;
+// Of each curve how the row changes with the place, then the row: the first curve's, and three a vertex of the others.
+in vec4 curvePlace;
+uniform sampler2D curvePlaces;
 
 vec4 ofTable(ivec2 at, int texel) { return texelFetch(curveTable, at + ivec2(texel, 0), 0); }
 // Between a row and the next.
@@ -26,7 +27,6 @@ mat3 before, along;
 float left;
 
 void add(float weight, uint curve, vec4 place, vec4 here) {
-  if (weight == 0.0) return;
   int first = min(int(place.w), ${ROWS - 2});
   float share = place.w - float(first);
   ivec2 at = ivec2(${TEXELS} * first, curve), next = at + ivec2(${TEXELS}, 0);
@@ -45,26 +45,31 @@ void add(float weight, uint curve, vec4 place, vec4 here) {
 
 void moved(vec3 place, vec3 normal, out vec3 toPlace, out vec3 toNormal) {
   vec4 here = vec4(place, 1.0);
-  if (curveWeights.x == 1.0) {
-    int first = min(int(curvePlace0.w), ${ROWS - 2});
-    float share = curvePlace0.w - float(first);
+  bool single = curveWeights.x == 1.0;
+  if (single) {
+    int first = min(int(curvePlace.w), ${ROWS - 2});
+    float share = curvePlace.w - float(first);
     ivec2 at = ivec2(${TEXELS} * first, curveNumbers.x), next = at + ivec2(${TEXELS}, 0);
     vec4 lowX = ofTable(at, 5), lowY = ofTable(at, 6), lowZ = ofTable(at, 7);
     vec4 moreX = ofTable(next, 5) - lowX, moreY = ofTable(next, 6) - lowY, moreZ = ofTable(next, 7) - lowZ;
     vec3 change = ofLines(moreX, moreY, moreZ, here);
     vec4 x = lowX + share * moreX, y = lowY + share * moreY, z = lowZ + share * moreZ;
     toPlace = ofLines(x, y, z, here);
-    toNormal = turned(turnOfLines(x, y, z) + outerProduct(change, curvePlace0.xyz), normal);
-    return;
+    toNormal = turned(turnOfLines(x, y, z) + outerProduct(change, curvePlace.xyz), normal);
   }
   real = dual = vec4(0.0);
   sum = vec3(0.0);
   before = along = mat3(0.0);
   left = 1.0;
-  add(curveWeights.x, curveNumbers.x, curvePlace0, here);
-  add(curveWeights.y, curveNumbers.y, curvePlace1, here);
-  add(curveWeights.z, curveNumbers.z, curvePlace2, here);
-  add(curveWeights.w, curveNumbers.w, curvePlace3, here);
+  // A loop, not a branch: drawn in software, all branches are gone through, but loops that no vertex is in are left.
+  int count = single ? 0 : 4;
+  for (int k = 0; k < count; k++) {
+    if (curveWeights[k] == 0.0) continue;
+    int other = 3 * gl_VertexID + k - 1, width = textureSize(curvePlaces, 0).x;
+    vec4 on = k == 0 ? curvePlace : texelFetch(curvePlaces, ivec2(other % width, other / width), 0);
+    add(curveWeights[k], curveNumbers[k], on, here);
+  }
+  if (single) return;
   // What the weights leave rests.
   real.w += real.w < 0.0 ? -left : left;
   sum += left * place;

@@ -27,16 +27,17 @@ export class CurveMotion implements SurfaceMotion {
     const { curves, weights } = this.attributes;
     const height = this.attributes.slopes.length / (AT_REST * ROWS);
     const width = TEXELS * ROWS;
-    if (height > widest || width > widest) return null;
-    const places = placesInView(this.attributes, this.rest, space);
+    const others = Math.ceil((3 * this.vertexCount) / width);
+    if (Math.max(width, height, others) > widest) return null;
+    const { first, texels } = placesInView(this.attributes, this.rest, space, 4 * width * others);
     return {
       glsl: CURVE_GLSL,
       inputs: [
         { name: 'curveNumbers', values: curves },
         { name: 'curveWeights', values: weights },
-        ...places.map((values, slot) => ({ name: `curvePlace${slot}`, values })),
+        { name: 'curvePlace', values: first },
       ],
-      textures: [],
+      textures: [{ name: 'curvePlaces', width, height: others, texels }],
       table: { name: 'curveTable', width, height },
       tableOf: (table) => tableInView(table, this.attributes, space),
     };
@@ -58,34 +59,39 @@ const uprightInto =
 /**
  * For each of a vertex's four curves how the row changes with its place, rows per drawn length, then the row: what does not
  * depend on the pose. Nothing changes beyond the ends.
+ *
+ * @param size  numbers of the texture of all curves but the first
  */
 export function placesInView(
   { curves, rows, weights, slopes, centre }: Omit<CurveAttributes, 'frames'>,
   rest: Float64Array,
   space: ViewSpace,
-): Float32Array[] {
-  return [0, 1, 2, 3].map((slot) => {
-    const out = new Float32Array(weights.length);
-    const put = uprightInto(out, space);
-    for (let v = 0; 4 * v < out.length; v++) {
-      const k = 4 * v + slot;
-      const row = rows[k]!;
-      if (weights[k] === 0 || !(row > 0 && row < ROWS - 1)) {
-        out[4 * v + 3] = row;
-        continue;
-      }
-      const first = Math.floor(row);
-      const at = AT_REST * (ROWS * curves[k]! + first);
-      const part = (i: number): number =>
-        slopes[at + i]! + (row - first) * (slopes[at + AT_REST + i]! - slopes[at + i]!);
-      let bend = 0;
-      for (let axis = 0; axis < 3; axis++)
-        bend += part(6 + axis) * (rest[3 * v + axis]! - centre[axis]! - part(axis));
-      const by = 1 / (space.scale * Math.max(1 - bend, 0.05));
-      put(4 * v, by * part(3), by * part(4), by * part(5), row);
+  size: number,
+): { readonly first: Float32Array; readonly texels: Float32Array<ArrayBuffer> } {
+  const first = new Float32Array(weights.length);
+  const texels = new Float32Array(size);
+  const [putFirst, putOther] = [uprightInto(first, space), uprightInto(texels, space)];
+  for (let k = 0; k < weights.length; k++) {
+    if (weights[k] === 0) continue;
+    const v = k >> 2;
+    const put = k % 4 === 0 ? putFirst : putOther;
+    const to = k % 4 === 0 ? k : 4 * (3 * v + (k % 4) - 1);
+    const row = rows[k]!;
+    if (!(row > 0 && row < ROWS - 1)) {
+      put(to, 0, 0, 0, row);
+      continue;
     }
-    return out;
-  });
+    const low = Math.floor(row);
+    const at = AT_REST * (ROWS * curves[k]! + low);
+    const part = (i: number): number =>
+      slopes[at + i]! + (row - low) * (slopes[at + AT_REST + i]! - slopes[at + i]!);
+    let bend = 0;
+    for (let axis = 0; axis < 3; axis++)
+      bend += part(6 + axis) * (rest[3 * v + axis]! - centre[axis]! - part(axis));
+    const by = 1 / (space.scale * Math.max(1 - bend, 0.05));
+    put(to, by * part(3), by * part(4), by * part(5), row);
+  }
+  return { first, texels };
 }
 
 /**
