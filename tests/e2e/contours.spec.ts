@@ -244,7 +244,9 @@ test('by light the drawing is ink on white', async ({ page, baseURL }) => {
   await desk.picture('contours-light-picked');
 });
 
-test('lines of 50,000 vertices keep up with the pictures of a turning view, and could ten times a second', async ({ fresh: desk }) => {
+test('lines of 50,000 vertices keep up with the pictures of a turning view, and could ten times a second', async ({
+  fresh: desk,
+}) => {
   const { page } = desk;
   await page.setViewportSize({ width: 920, height: 340 });
   await desk.choose(['bumpy.obj', bumpyObj(160, 314)]);
