@@ -89,7 +89,7 @@ struct CurveAttributes {
 /// Welded vertices move as one, so coincident vertices stay coincident on any mesh: soups, one-sided, non-manifold or in several pieces.
 ///
 /// Source: Blanco 3.1, 5.2–5.5. Changed: throughout; see docs/curves.md.
-/// Cost: prepare one nearest point per vertex of a region and, where curves are linked, one sparse factorization; a pose about 50 ns a
+/// Cost: prepare one nearest point per vertex of a region and, where curves are linked, one sparse factorization; a pose about 60 ns a
 /// vertex where shares are blended, 10 where they are not.
 class CurveSession {
 public:
