@@ -1,3 +1,4 @@
+import type { CameraRig } from './camera-rig';
 import { pngOf } from './kept-picture';
 import type { ModelView } from './model-view';
 import type { CameraState, RegionPaint } from './values';
@@ -8,8 +9,7 @@ interface Sitter {
   readonly regions: readonly RegionPaint[];
   readonly canvas: HTMLCanvasElement;
   readonly heatShown: { value: boolean };
-  /** Looks from the home view at places, 3 numbers each, drawn units. */
-  look(places: Float32Array): void;
+  readonly rig: Pick<CameraRig, 'look' | 'frame' | 'jump'>;
   /** Calls back while the canvas has the wanted size and shows no tools, and puts everything else back. */
   drawAside(draw: () => void): void;
   render(): void;
@@ -19,7 +19,7 @@ interface Sitter {
 export function thumbnail(
   view: ModelView | undefined,
   positions: Float64Array,
-  { viewport, regions, canvas, heatShown, look, drawAside, render }: Sitter,
+  { viewport, regions, canvas, heatShown, rig, drawAside, render }: Sitter,
 ): Promise<Blob> {
   const copy = document.createElement('canvas');
   if (!view) return pngOf(copy);
@@ -30,7 +30,9 @@ export function thumbnail(
   viewport.setRegions([]);
   view.setPositions(positions);
   drawAside(() => {
-    look(view.places());
+    rig.look('home');
+    rig.frame(view.places());
+    rig.jump();
     render();
     Object.assign(copy, { width: canvas.width, height: canvas.height });
     copy.getContext('2d')?.drawImage(canvas, 0, 0);

@@ -278,11 +278,7 @@ export class Viewport implements ViewportPort {
       regions: this.#regions,
       canvas: this.#renderer.domElement,
       heatShown: this.#materials.uniforms.heatShown,
-      look: (places) => {
-        this.#rig.look('home');
-        this.#rig.frame(places);
-        this.#rig.jump();
-      },
+      rig: this.#rig,
       drawAside: (draw) => this.#drawAside(width, height, draw),
       render: () => this.#render(0),
     });
