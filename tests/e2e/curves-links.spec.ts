@@ -6,7 +6,7 @@ import { encodeLink } from '../../web/recipe/link/link';
 import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
 import { Runner } from '../../web/run/evaluate';
-import { Desk, expect, test } from './desk';
+import { Desk, expect, forTest, test } from './desk';
 
 // Each on a page of its own.
 test.describe.configure({ mode: 'parallel' });
@@ -79,4 +79,20 @@ test('the walk opens by its link, is played, and stands as it stood when it is s
   const after = await seen(desk);
   expect(after).toEqual(before);
   expect(await desk.history()).toEqual(history);
+});
+
+test('chosen in the gallery it has the keys at once: the space bar plays it', async ({ page, baseURL }) => {
+  const desk = new Desk(page);
+  await desk.open(forTest(baseURL!));
+  await page.keyboard.press('Control+g');
+  await page
+    .getByRole('dialog')
+    .getByRole('button', { name: /^Body, walking/ })
+    .click();
+  await expect.poll(() => desk.title()).toBe('Body, walking');
+  await seen(desk);
+  await page.keyboard.press('Space');
+  await expect(page.getByText('Playing the poses', { exact: false })).toBeVisible();
+  await page.keyboard.press('Escape');
+  await expect(page.getByText('Playing the poses', { exact: false })).toBeHidden();
 });

@@ -6,6 +6,8 @@ interface Props {
   title: string;
   closeLabel: string;
   onClose: () => void;
+  /** Whether the focus goes back to where it was; left out: always. Not where the dialog led on to something else. */
+  returns?: () => boolean;
   wide?: boolean;
   children: ComponentChildren;
   footer?: ComponentChildren;
@@ -18,7 +20,7 @@ export const closeOnEscape = (close: () => void) => (event: KeyboardEvent) => {
 };
 
 /** A native modal dialog: focus trap, Escape and the backdrop come with the platform. */
-export function Dialog({ title, closeLabel, onClose, wide, children, footer }: Props) {
+export function Dialog({ title, closeLabel, onClose, returns = () => true, wide, children, footer }: Props) {
   const ref = useRef<HTMLDialogElement>(null);
   const id = useId();
   useEffect(() => {
@@ -29,7 +31,9 @@ export function Dialog({ title, closeLabel, onClose, wide, children, footer }: P
     (dialog?.querySelector<HTMLElement>('[data-first]') ?? dialog)?.focus();
     return () => {
       dialog?.close();
-      if (before instanceof HTMLElement) before.focus();
+      // Closing alone gives the focus back, too.
+      const after = returns() ? before : document.activeElement;
+      if (after instanceof HTMLElement) returns() ? after.focus() : after.blur();
     };
   }, []);
   return (

@@ -1,3 +1,4 @@
+import { useRef } from 'preact/hooks';
 import type { GalleryEntry } from '../../app/api';
 import { t } from '../../app/i18n';
 import { WORKSPACES } from '../../app/wings';
@@ -8,7 +9,9 @@ import { Dialog } from '../controls/dialog';
 export function GalleryDialog({ onClose }: { onClose: () => void }) {
   const { state, gallery, files, messages } = useApp();
   const entries = gallery.entries.value;
+  const chosen = useRef(false);
   const open = (entry: GalleryEntry) => {
+    chosen.current = true;
     onClose();
     gallery.open(entry).catch((error: unknown) => messages.failed(error));
   };
@@ -40,6 +43,7 @@ export function GalleryDialog({ onClose }: { onClose: () => void }) {
       title={t('ui.gallery')}
       closeLabel={t('ui.close')}
       onClose={onClose}
+      returns={() => !chosen.current}
       footer={
         <Button
           kind="solid"
