@@ -69,7 +69,7 @@ test('wrong, empty and truncated files are told of in a sentence and cost nothin
     ['letter.obj', 'Dear reader,\nthis is no model.\n'],
     ['recipe.json', '{"lissom":1,"models":{},"steps":[],"outputs":[],"more":1}'],
     ['project.zip', 'PK not really'],
-    ['points.obj', 'v 0 0 0\nv 1 0 0\nv 0 1 0\n'],
+    ['points-on-a-line.obj', 'v 0 0 0\nv 1 0 0\nv 2 0 0\n'],
   ] as const;
   for (const [name, content] of bad) {
     await desk.choose([name, content]);
