@@ -72,3 +72,18 @@ TEST_CASE("planes of a tight bend no longer meet within what belongs to them") {
     // From the middle both ways the bend is spread over both halves.
     CHECK(guarded_planes(tight.planes, tight.supports, CurveGuard::symmetric, 50).tilt < guarded_planes(tight.planes, tight.supports, CurveGuard::symmetric, 0).tilt);
 }
+
+TEST_CASE("a bend beside the end that is held turns planes away from it, and not the end") {
+    const double reach = 0.5;
+    const Arc tight(0.45, 60, reach);
+    const int last = static_cast<int>(tight.planes.size()) - 1;
+    CHECK(guarded_planes(tight.planes, tight.supports, CurveGuard::symmetric, 3).turns[0].w() != 1);
+    for (const int held : {0, last}) {
+        const GuardedPlanes guarded = guarded_planes(tight.planes, tight.supports, CurveGuard::symmetric, held == 0 ? 3 : last - 3, held);
+        CHECK(guarded.turns[held].w() == 1);
+        CHECK(tight.closest(guarded, reach) > 0.999);
+    }
+    // Where the held end is not reached nothing changes.
+    const Arc wide(2, 90, 0.5);
+    CHECK(guarded_planes(wide.planes, wide.supports, CurveGuard::symmetric, 50, 0).tilt == 0);
+}

@@ -225,7 +225,7 @@ CurveRows EncodedCurve::pose(const CurvePosture& posture, std::span<const RowSup
         std::vector<RowSupport> scaled(supports.begin(), supports.end());
         for (int i = 0; i < k_rows; ++i)
             for (double& reach : scaled[i].reach) reach *= std::max(blended[i][1], blended[i][2]);
-        const GuardedPlanes guarded = guarded_planes(planes, scaled, guard, tightest);
+        const GuardedPlanes guarded = guarded_planes(planes, scaled, guard, tightest, options_.anchor == CurveEnd::end ? k_rows - 1 : 0);
         result.tilt = guarded.tilt;
         for (int i = 0; i < k_rows; ++i) {
             if (guarded.turns[i].w() == 1) continue;

@@ -66,24 +66,26 @@ double RowSupport::towards(double b, double g) const {
 
 double RowSupport::circle() const { return *std::max_element(reach.begin(), reach.end()); }
 
-GuardedPlanes guarded_planes(std::span<const CurvePlane> planes, std::span<const RowSupport> supports, CurveGuard guard, int from) {
+GuardedPlanes guarded_planes(std::span<const CurvePlane> planes, std::span<const RowSupport> supports, CurveGuard guard, int from, int held) {
     const int count = static_cast<int>(planes.size());
     GuardedPlanes result;
     result.turns.assign(count, Quaterniond::Identity());
     if (guard == CurveGuard::none) return result;
-    std::vector<CurvePlane> turned(planes.begin(), planes.end());
-    const auto go = [&](int start, int way) {
-        for (int i = start + way; i >= 0 && i < count; i += way) {
-            const Quaterniond turn = apart(turned[i - way], turned[i], supports[i - way], supports[i], guard);
-            turned[i].axes = turn.toRotationMatrix() * turned[i].axes;
-            result.turns[i] = turn;
-            const double angle = 2 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
-            result.tilt = std::max(result.tilt, angle * 180 / std::numbers::pi);
-        }
+    const auto outwards = [&](int start) {
+        std::vector<CurvePlane> turned(planes.begin(), planes.end());
+        result.tilt = 0;
+        result.turns[start] = Quaterniond::Identity();
+        for (const int way : {1, -1})
+            for (int i = start + way; i >= 0 && i < count; i += way) {
+                const Quaterniond turn = apart(turned[i - way], turned[i], supports[i - way], supports[i], guard);
+                turned[i].axes = turn.toRotationMatrix() * turned[i].axes;
+                result.turns[i] = turn;
+                const double angle = 2 * std::atan2(turn.vec().norm(), std::abs(turn.w()));
+                result.tilt = std::max(result.tilt, angle * 180 / std::numbers::pi);
+            }
     };
-    const int start = guard == CurveGuard::thesis ? 0 : std::clamp(from, 0, count - 1);
-    go(start, 1);
-    go(start, -1);
+    outwards(guard == CurveGuard::thesis ? 0 : std::clamp(from, 0, count - 1));
+    if (guard == CurveGuard::symmetric && held >= 0 && result.turns[held].w() != 1) outwards(held);
     return result;
 }
 
