@@ -144,3 +144,21 @@ TEST_CASE("broken surfaces have weights, nonsense is refused") {
     CHECK(refusal([&] { (void)line_weights(surface, {{1, 0, 0}, {NAN, 0, 0}}, {}); }) == "non-finite-curve");
     CHECK(refusal([&] { (void)pulled(surface, line_weights(surface, line, {}), line, {{1, 0, 0}}); }) == "line-places");
 }
+
+TEST_CASE("a line that runs on far beyond the model ends, and pulls as its part on the model does") {
+    const TriangleMesh mesh = shapes::sheet(40, 40);
+    const Vector3d c = mesh.points.colwise().mean();
+    const CurveSurface surface(std::make_shared<WorkingMesh>(shapes::working(mesh)));
+    const Polyline on = straight(c - Vector3d(0.3, 0, 0), c + Vector3d(0.3, 0, 0), 4);
+    Polyline far = on;
+    far.push_back(c + Vector3d(1e20, 0, 0));
+    const LineWeights near = line_weights(surface, on, {}), reached = line_weights(surface, far, {});
+    CHECK(reached.vertices.size() >= near.vertices.size());
+    CHECK(std::all_of(reached.weights.begin(), reached.weights.end(), [](double w) { return w > 0 && w <= 1; }));
+    CHECK(std::all_of(reached.along.begin(), reached.along.end(), [](double x) { return x >= 0 && x <= 1; }));
+    // Beside the model, and right through it from far away.
+    CHECK(line_weights(surface, {c + Vector3d(0, 1e9, 0), c + Vector3d(1e9, 1e9, 0)}, {}).vertices.empty());
+    CHECK(line_weights(surface, {c - Vector3d(1e9, 0, 0), c + Vector3d(1e9, 0, 0)}, {}).vertices.size() > near.vertices.size());
+    far.back().x() = 1e200;
+    CHECK(refusal([&] { (void)line_weights(surface, far, {}); }) == "non-finite-curve");
+}

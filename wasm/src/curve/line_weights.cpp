@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace lissom {
 
@@ -17,6 +18,8 @@ namespace {
 
 constexpr double k_step = 0.002;  // between places of a line that are looked up, in diagonals
 constexpr double k_reach = 0.13;  // of the largest extent
+constexpr double k_near = 2;      // diagonals from the middle of the model beyond which a line is looked up at its corners alone
+constexpr double k_largest = 1e100; // of coordinates whose squares can be computed with, in diagonals
 
 std::vector<double> lengths_up_to(const Polyline& line) {
     std::vector<double> along{0};
@@ -30,9 +33,24 @@ struct Beside {
     std::vector<double> distance, along;
 };
 
+/// The part of a segment near the model, from 0 to 1; empty where it passes by.
+std::pair<double, double> near_part(const Vector3d& a, const Vector3d& b) {
+    if (a.norm() <= k_near && b.norm() <= k_near) return {0, 1};
+    const Vector3d along = b - a;
+    const double aa = along.squaredNorm();
+    if (!(aa > 0)) return {0, 0};
+    const double middle = -a.dot(along) / aa, away2 = (a + middle * along).squaredNorm();
+    if (away2 >= k_near * k_near) return {0, 0};
+    const double half = std::sqrt((k_near * k_near - away2) / aa);
+    return {std::clamp(middle - half, 0.0, 1.0), std::clamp(middle + half, 0.0, 1.0)};
+}
+
 Beside beside(const CurveSurface& surface, const Polyline& source) {
     Polyline line;
-    for (const Vector3d& p : source) line.push_back(surface.working().to_working(p));
+    for (const Vector3d& p : source) {
+        line.push_back(surface.working().to_working(p));
+        if (!(line.back().cwiseAbs().maxCoeff() < k_largest)) throw InvalidInput("non-finite-curve", "A line has places too far away to be computed with. Take another line.");
+    }
     const std::vector<double> up_to = lengths_up_to(line);
     Beside found;
     std::vector<int> place(static_cast<std::size_t>(surface.mesh().vertex_count()), -1);
@@ -53,9 +71,11 @@ Beside beside(const CurveSurface& surface, const Polyline& source) {
         }
     };
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const int pieces = std::max(1, static_cast<int>(std::ceil((line[i + 1] - line[i]).norm() / k_step)));
+        const auto [from, to] = near_part(line[i], line[i + 1]);
+        const int pieces = std::max(1, static_cast<int>(std::ceil((to - from) * (line[i + 1] - line[i]).norm() / k_step)));
+        if (from > 0) add(line[i], up_to[i] / up_to.back());
         for (int k = 0; k < pieces; ++k) {
-            const double u = static_cast<double>(k) / pieces;
+            const double u = from + (to - from) * k / pieces;
             add((1 - u) * line[i] + u * line[i + 1], ((1 - u) * up_to[i] + u * up_to[i + 1]) / up_to.back());
         }
     }
