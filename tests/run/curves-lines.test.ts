@@ -3,9 +3,9 @@
 import { beforeAll, expect, test } from 'vitest';
 import type { Model } from '../../web/core/model';
 import { loadKernel } from '../../web/kernel/node';
-import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
 import { tube } from '../kernel/tubes';
+import { recipeOfStep } from './curves-recipe';
 
 /** A dome with a waist. */
 const MODEL: Model = {
@@ -24,21 +24,7 @@ const beltAt = (s: number) =>
 const BELT = beltAt(0.5);
 const BY = [0.1, 0.05, 0.2] as const;
 const recipeOf = (more: object = {}) =>
-  parseRecipe(
-    JSON.stringify({
-      lissom: 1,
-      models: { m: { file: 'm.ply' } },
-      steps: [
-        {
-          id: 's',
-          type: 'curves',
-          model: 'm',
-          curves: [{ id: 'line 1', kind: 'contour', rest: BELT, reach: 0.4, ...more }],
-        },
-      ],
-      outputs: [],
-    }),
-  );
+  recipeOfStep({ curves: [{ id: 'line 1', kind: 'contour', rest: BELT, reach: 0.4, ...more }] });
 
 let runner: Runner;
 beforeAll(async () => {
@@ -87,6 +73,16 @@ test('a pull moves every vertex by its weight, nothing beyond the reach', async 
   }
   expect(moved).toBeGreaterThan(100);
   expect(Math.max(...weights)).toBeCloseTo(1, 5);
+});
+
+test('beside other curves each line is asked about by its own number', async () => {
+  const line = { id: 'line 1', kind: 'contour', rest: BELT, reach: 0.4 };
+  const limb = { id: 'limb', kind: 'skeleton', rest: [0.1, 0.9, 1.7].map((y) => [0, y, 0]) };
+  const recipe = recipeOfStep({ curves: [limb, line] });
+  const alone = await runner.ask(recipeOf(), 's', 'pullWeights', { curve: 0 });
+  const beside = await runner.ask(recipe, 's', 'pullWeights', { curve: 1 });
+  const worst = alone.reduce((most, w, v) => Math.max(most, Math.abs(w - beside[v]!)), 0);
+  expect(worst).toBeLessThan(1e-6);
 });
 
 test('a held line stays, and what lies across the pull from it goes along as before', async () => {

@@ -9,11 +9,11 @@ import { readModel } from '../../web/io/formats';
 import { writeSkinnedGltf } from '../../web/io/gltf-skin';
 import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
-import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
 import type { CurvePosture } from '../../web/recipe/steps/curves';
 import { Runner } from '../../web/run/evaluate';
 import { dome, tube } from '../kernel/tubes';
+import { recipeOfStep } from './curves-recipe';
 
 type Point = [number, number, number];
 
@@ -66,26 +66,15 @@ const POSES = [
 
 /** @param posed  the posture that the step itself has */
 const recipeOf = (posed: object = {}, more: object = {}): Recipe =>
-  parseRecipe(
-    JSON.stringify({
-      lissom: 1,
-      models: { m: { file: 'm.ply' } },
-      steps: [
-        {
-          id: 's',
-          type: 'curves',
-          model: 'm',
-          curves: [
-            { id: 'lower', kind: 'skeleton', rest: LOWER, anchor: 'start', ...posed },
-            { id: 'upper', kind: 'skeleton', rest: UPPER },
-          ],
-          links: [{ child: 'upper', parent: 'lower', at: 1 }],
-          poses: POSES,
-          ...more,
-        },
-      ],
-    }),
-  );
+  recipeOfStep({
+    curves: [
+      { id: 'lower', kind: 'skeleton', rest: LOWER, anchor: 'start', ...posed },
+      { id: 'upper', kind: 'skeleton', rest: UPPER },
+    ],
+    links: [{ child: 'upper', parent: 'lower', at: 1 }],
+    poses: POSES,
+    ...more,
+  });
 
 const runnerFor = (model: Model) => new Runner({ kernel, models: { load: async () => model } });
 

@@ -5,9 +5,9 @@ import type { Model } from '../../web/core/model';
 import { readModel, writeModel } from '../../web/io/index';
 import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
-import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
 import { dome, tube } from '../kernel/tubes';
+import { recipeOfStep } from './curves-recipe';
 
 let kernel: KernelPort;
 beforeAll(async () => {
@@ -23,29 +23,20 @@ const CLOUD: Model = {
   faceVertices: new Uint32Array(),
 };
 
-async function run(step: object): Promise<Model> {
-  const recipe = parseRecipe(
-    JSON.stringify({
-      lissom: 1,
-      models: { m: { file: 'm.ply' } },
-      steps: [{ id: 's', model: 'm', ...step }],
-    }),
-  );
-  const runner = new Runner({ kernel, models: { load: async () => CLOUD } });
-  return (await runner.run(recipe)).get('s')!.model;
-}
+const runner = () => new Runner({ kernel, models: { load: async () => CLOUD } });
+const run = async (step: object): Promise<Model> => (await runner().run(recipeOfStep(step))).get('s')!.model;
 
 const CURVE = { id: 'limb', kind: 'skeleton', rest: [0.1, 0.7, 1.3, 1.9].map((y) => [0, y, 0]) };
 const away = (model: Model, v: number) =>
   Math.hypot(...[0, 1, 2].map((k) => model.positions[3 * v + k]! - CLOUD.positions[3 * v + k]!));
 
 test('a curve poses points, and at rest leaves them where they are', async () => {
-  const rest = await run({ type: 'curves', curves: [CURVE] });
+  const rest = await run({ curves: [CURVE] });
   expect(
     Math.max(...Array.from({ length: rest.positions.length / 3 }, (_, v) => away(rest, v))),
   ).toBeLessThan(1e-12);
   const posed = [...CURVE.rest.slice(0, 2), [0.25, 1.25, 0], [0.7, 1.6, 0]];
-  const bent = await run({ type: 'curves', curves: [{ ...CURVE, posed, anchor: 'start' }] });
+  const bent = await run({ curves: [{ ...CURVE, posed, anchor: 'start' }] });
   expect(away(bent, 0)).toBeLessThan(1e-9);
   expect(away(bent, 58 * 32)).toBeGreaterThan(0.5);
   expect(bent.positions.every(Number.isFinite)).toBe(true);
@@ -80,16 +71,8 @@ test('handles bend points', async () => {
 });
 
 test('a stroke over points finds the middle of the limb', async () => {
-  const recipe = parseRecipe(
-    JSON.stringify({
-      lissom: 1,
-      models: { m: { file: 'm.ply' } },
-      steps: [{ id: 's', type: 'curves', model: 'm', curves: [] }],
-    }),
-  );
-  const runner = new Runner({ kernel, models: { load: async () => CLOUD } });
   const ys = Array.from({ length: 40 }, (_, i) => 0.2 + (1.5 * i) / 39);
-  const { points } = await runner.ask(recipe, 's', 'sketchedCurve', {
+  const { points } = await runner().ask(recipeOfStep({ curves: [] }), 's', 'sketchedCurve', {
     pixels: Float64Array.from(ys.flatMap((y) => [400, 500 - 200 * y])),
     origins: Float64Array.from(ys.flatMap((y) => [0.02, y, 5])),
     directions: Float64Array.from(ys.flatMap(() => [0, 0, -1])),

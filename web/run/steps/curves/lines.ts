@@ -8,8 +8,6 @@ import type { ModelResult } from '../../types';
 import { type StepContext, signalOf } from '../step-runner';
 import { prepareCurves } from './kernel-words';
 
-/** Rows of a curve's table. */
-const ROWS = 256;
 /** Influences of a vertex. */
 const SLOTS = 4;
 
@@ -45,10 +43,9 @@ export async function pullWeights(
   { curve }: { readonly curve: number },
 ): Promise<Float32Array> {
   const { id } = await prepareCurves(step, context);
-  const { rows, weights } = await context.kernel.call('curveAttributes', { curves: id }, signalOf(context));
-  const out = new Float32Array(rows.length / SLOTS);
-  for (let i = 0; i < rows.length; i++)
-    if (weights[i]! > 0 && Math.floor(rows[i]! / ROWS) === curve) out[Math.floor(i / SLOTS)]! += weights[i]!;
+  const { curves, weights } = await context.kernel.call('curveAttributes', { curves: id }, signalOf(context));
+  const out = new Float32Array(curves.length / SLOTS);
+  for (let i = 0; i < curves.length; i++) if (curves[i] === curve) out[Math.floor(i / SLOTS)]! += weights[i]!;
   return out;
 }
 
