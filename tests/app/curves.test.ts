@@ -2,6 +2,7 @@
 
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { afterEach, beforeAll, beforeEach, describe, expect, test, vi } from 'vitest';
+import { pictureKey } from '../../web/app/curves/pose-pictures';
 import { readModel, writeModel } from '../../web/io/index';
 import type { KernelPort } from '../../web/kernel/contract';
 import { loadKernel } from '../../web/kernel/node';
@@ -236,7 +237,7 @@ describe('posing', () => {
 
   test('an end slides along its curve to trim, straight on to extend', async () => {
     const bench = await Bench.drawn();
-    await bench.tab.app.commands.run('curves.gizmo.ends');
+    await bench.tab.app.commands.run('curves.gizmo.end');
     const [x, y] = bench.rest.at(-1)!;
     const middle = bench.rest[2]!;
     // Only ends can be taken hold of.
@@ -303,6 +304,23 @@ describe('poses', () => {
     await bench.settled();
     expect(curves.picture(bench.step.poses[0]!)).toBeDefined();
     expect(bench.pictures).toHaveLength(2);
+  });
+
+  test('whatever changes what is seen asks for another picture', async () => {
+    const bench = await twoPoses();
+    const { step } = bench;
+    const [pose] = step.poses;
+    const [curve] = step.curves;
+    const key = pictureKey(step, pose!);
+    for (const change of [
+      { region: { ranges: [[0, 40]] } },
+      { reach: 0.2 },
+      { rigid: [0] },
+      { anchor: 'end' },
+    ])
+      expect(pictureKey({ ...step, curves: [{ ...curve!, ...(change as object) }] }, pose!)).not.toBe(key);
+    // The posture of the moment is none of it.
+    expect(pictureKey({ ...step, curves: [{ ...curve!, twist: [1, 2, 3, 4, 5] }] }, pose!)).toBe(key);
   });
 
   test('they are taken up, blended in one step of undo, and removed', async () => {

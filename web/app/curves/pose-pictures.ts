@@ -65,22 +65,16 @@ export class PosePictures {
       // What is on screen may be another model by now.
       if (signal.aborted || this.parts.evaluator.result.peek()?.inputs[0] !== input) return;
       const picture = await this.viewport.thumbnail(positions, POSE_PICTURE.width, POSE_PICTURE.height);
+      if (signal.aborted) return;
       posePictures.value = new Map(posePictures.peek()).set(key, URL.createObjectURL(picture));
     }
-    const kept = [...posePictures.peek()].filter(([key, url]) => {
-      if (!wanted.has(key)) URL.revokeObjectURL(url);
-      return wanted.has(key);
-    });
-    if (kept.length < posePictures.peek().size) posePictures.value = new Map(kept);
+    const before = posePictures.peek();
+    const kept = new Map([...before].filter(([key]) => wanted.has(key)));
+    for (const [key, url] of before) if (!kept.has(key)) URL.revokeObjectURL(url);
+    if (kept.size < before.size) posePictures.value = kept;
   }
 }
 
-/** Poses that look alike share a picture. */
-export const pictureKey = ({ model, curves, links, options }: CurvesStep, pose: CurvePose): string =>
-  JSON.stringify([
-    model,
-    curves.map(({ id, kind, rest, rigid, anchor }) => [id, kind, rest, rigid, anchor]),
-    links,
-    options,
-    pose.curves,
-  ]);
+/** All that a picture shows: the step as the pose has it. Poses that look alike share one. */
+export const pictureKey = (step: CurvesStep, pose: CurvePose): string =>
+  JSON.stringify({ ...takePose(step, pose), poses: [] });
