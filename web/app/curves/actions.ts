@@ -11,7 +11,7 @@ import { t, tCode } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import { Hand } from './contours/hand';
 import { CurvesEdits } from './edits';
-import { extentOf } from './extent';
+import { extentShown } from './extent';
 import { pointsOf } from './host';
 import { Player } from './player';
 import { pictureKey } from './pose-pictures';
@@ -188,8 +188,7 @@ export class CurvesActions {
   }
 
   get #size(): number {
-    const positions = this.parts.evaluator.result.peek()?.shown.model.positions;
-    return positions ? extentOf(positions) : 1;
+    return extentShown(this.parts.evaluator) || 1;
   }
 
   #edit(label: EditName, name: string, change: (step: CurvesStep) => CurvesStep, grip?: Grip | null): void {

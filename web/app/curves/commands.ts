@@ -1,3 +1,4 @@
+import type { CurveGizmo } from '../../tools/curves/gizmo-drag';
 import type { Command } from '../commands';
 import { pickTool } from '../commands/pick-tool';
 import type { MessageKey } from '../i18n';
@@ -5,7 +6,7 @@ import type { WingParts } from '../wing-parts';
 import type { CurvesActions } from './actions';
 import { contourCommands } from './contours/commands';
 import type { Follow } from './follow';
-import type { CurveMode, CurvesState } from './state';
+import type { CurvesState } from './state';
 
 export const TOOLS = ['pose-curves', 'sketch-curve', 'link-curves', 'contours'] as const;
 
@@ -27,7 +28,7 @@ export function curvesCommands(
     if (curve) act(curve.id);
   };
   const tool = pickTool<(typeof TOOLS)[number]>(workspace, context);
-  const gizmo = (mode: CurveMode, icon: string, key: string): Command => ({
+  const gizmo = (mode: CurveGizmo, icon: string, key: string): Command => ({
     id: `curves.gizmo.${mode}`,
     group,
     workspace,
@@ -50,7 +51,7 @@ export function curvesCommands(
     gizmo('turn', 'rotate-3d', 'E'),
     gizmo('twist', 'ribbon', 'Q'),
     gizmo('scale', 'scale-3d', 'R'),
-    gizmo('ends', 'move-horizontal', 'T'),
+    gizmo('end', 'move-horizontal', 'T'),
     {
       id: 'curves.surface',
       group,

@@ -1,4 +1,5 @@
 import { boxOf, sizeOf } from '../../core/box';
+import type { EvaluatorPort } from '../evaluated';
 
 const known = new WeakMap<Float64Array, number>();
 
@@ -9,4 +10,10 @@ export function extentOf(positions: Float64Array): number {
   size = Math.max(0, ...sizeOf(boxOf(positions)));
   known.set(positions, size);
   return size;
+}
+
+/** That of the model on screen; 0 while there is none. */
+export function extentShown({ result }: Pick<EvaluatorPort, 'result'>): number {
+  const positions = result.peek()?.shown.model.positions;
+  return positions ? extentOf(positions) : 0;
 }

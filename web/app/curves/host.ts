@@ -60,7 +60,7 @@ export class AppCurvesHost implements CurvesHost {
   }
 
   slides(): boolean {
-    return this.own.gizmo.peek() === 'ends';
+    return this.own.gizmo.peek() === 'end';
   }
 
   range(): number {

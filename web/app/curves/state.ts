@@ -12,9 +12,6 @@ import type { Blending } from '../blend-sync';
 import type { State } from '../state';
 import { ContoursState } from './contours/state';
 
-/** `ends`: the two ends of a curve are dragged along it. */
-export type CurveMode = CurveGizmo | 'ends';
-
 /** What came of the last pose. Times in milliseconds. */
 export interface CurvesFigures {
   readonly prepare: number;
@@ -28,7 +25,7 @@ export class CurvesState implements Blending {
   readonly step: ReadonlySignal<CurvesStep | undefined>;
   readonly grip: ReadonlySignal<Grip | null>;
   /** What dragging a control point does. */
-  readonly gizmo = signal<CurveMode>('move');
+  readonly gizmo = signal<CurveGizmo>('move');
   readBack: Blending['readBack'] = () => null;
   readonly blends = signal(false);
   /** What strokes become. */

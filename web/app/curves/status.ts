@@ -19,7 +19,7 @@ export function curvesStatus(state: State, own: CurvesState, key: (command: stri
       return own.grip.value?.point == null ? t('status.curves.link') : t('status.curves.link-to');
     default:
       if (!own.step.value?.curves.length) return t('status.curves.none', keys);
-      if (own.gizmo.value === 'ends') return t('status.curves.ends');
+      if (own.gizmo.value === 'end') return t('status.curves.ends');
       return own.reach.value ? t('status.curves.reach') : t('status.curves.pose');
   }
 }

@@ -3,7 +3,7 @@
 import { effect } from '@preact/signals';
 import { pointsOf } from '../../recipe/steps/curves-edits';
 import { jointOf } from '../../tools/curves/edits';
-import { CurveGizmoDrag, gizmoFrame } from '../../tools/curves/gizmo-drag';
+import { type CurveGizmo, CurveGizmoDrag, gizmoFrame } from '../../tools/curves/gizmo-drag';
 import { LinkTool } from '../../tools/curves/link-tool';
 import { PoseTool } from '../../tools/curves/pose-tool';
 import { SketchTool } from '../../tools/curves/sketch-tool';
@@ -24,11 +24,12 @@ import type { CurvesState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'evaluator' | 'runner' | 'messages'>;
 
-const GIZMO: Readonly<Record<'move' | 'turn' | 'twist' | 'scale', GizmoMode>> = {
+const GIZMO: Readonly<Record<CurveGizmo, GizmoMode | null>> = {
   move: 'translate',
   turn: 'rotate',
   twist: 'rotate',
   scale: 'scale',
+  end: null,
 };
 
 export function mountCurves(
@@ -40,10 +41,7 @@ export function mountCurves(
   const { state, evaluator } = parts;
   const lines = viewport.mount(INNER_LINES);
   const host = new AppCurvesHost(viewport, lines.port, parts, own, actions.edits);
-  const gizmo = new CurveGizmoDrag(host, () => {
-    const mode = own.gizmo.peek();
-    return mode === 'ends' ? 'move' : mode;
-  });
+  const gizmo = new CurveGizmoDrag(host, () => own.gizmo.peek());
   const painted = new PaintedRegions(viewport);
   const pictures = new PosePictures(viewport, parts, own);
   const stops = [
@@ -62,23 +60,21 @@ export function mountCurves(
     }),
     effect(() => {
       const grip = own.grip.value;
-      const mode = own.gizmo.value;
+      const gizmoMode = own.gizmo.value;
+      const mode = GIZMO[gizmoMode];
       const step = own.step.value;
       const prepared = own.prepared.value;
       const parents = own.parents.value;
       // While a gesture lasts the gizmo belongs to the hand that holds it.
       if (state.previewing.value) return;
       // A whole curve is dragged by its line; only a turn has to be taken hold of elsewhere.
-      const held = grip && mode !== 'ends' && (grip.point !== null || mode === 'turn');
-      const shown = held && step && state.tool.value === 'pose-curves';
+      const held = grip && (grip.point !== null || gizmoMode === 'turn');
+      const shown = held && step && mode && state.tool.value === 'pose-curves';
       const anchors = step?.curves.map(({ anchor }, i) => anchor ?? prepared?.curves[i]?.anchor ?? 'start');
       const matrix = shown
         ? gizmoFrame({ step, selected: grip, parents, anchors: anchors!, size: 1 }, grip)
         : null;
-      viewport.setGizmo(
-        matrix && mode !== 'ends' ? { matrix, mode: GIZMO[mode], single: mode === 'twist' } : null,
-        gizmo,
-      );
+      viewport.setGizmo(matrix && mode && { matrix, mode, single: gizmoMode === 'twist' }, gizmo);
     }),
   ];
   const contours = mountContours(viewport, parts, own, actions.hand);

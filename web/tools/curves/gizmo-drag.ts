@@ -18,8 +18,8 @@ import type { CurvesHost, CurvesLabel, CurvesScene } from './host';
 import type { Grip } from './items';
 import { tangentAt } from './spline';
 
-/** What the gizmo on a control point does. */
-export type CurveGizmo = Extract<CurvesLabel, 'move' | 'turn' | 'twist' | 'scale'>;
+/** What dragging a control point does, by the gizmo on it but for `end`, which has none: the point slides along its curve. */
+export type CurveGizmo = Extract<CurvesLabel, 'move' | 'turn' | 'twist' | 'scale' | 'end'>;
 
 /** Where the gizmo stands: on the control point, its third axis along the curve. Of a whole curve on the end that stays. */
 export function gizmoFrame({ step, parents, anchors }: CurvesScene, { curve: at, point }: Grip): Mat4 | null {

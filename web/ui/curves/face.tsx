@@ -8,7 +8,7 @@ const GIZMO = [
   'curves.gizmo.turn',
   'curves.gizmo.twist',
   'curves.gizmo.scale',
-  'curves.gizmo.ends',
+  'curves.gizmo.end',
 ];
 
 export const face: Face = {

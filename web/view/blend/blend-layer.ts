@@ -1,4 +1,4 @@
-import { Group } from 'three';
+import { Group, MathUtils } from 'three';
 import type { Layer, LayerContext, LayerKind } from '../layer';
 import type { ModelView } from '../model-view';
 import { ViewSpace } from '../view-space';
@@ -62,7 +62,7 @@ class BlendLayer implements Layer, BlendPort {
         this.move(null);
         return;
       }
-      this.#show(share * share * (3 - 2 * share));
+      this.#show(MathUtils.smoothstep(share, 0, 1));
       this.context.reshaped();
       requestAnimationFrame(go);
     };

@@ -1,6 +1,7 @@
 import { BufferAttribute, BufferGeometry, Color, Group, Points, ShaderMaterial } from 'three';
 import type { Layer, LayerContext, LayerKind } from '../layer';
 import { ViewSpace } from '../view-space';
+import { nearestOnSegment } from './on-segment';
 import { SegmentLines } from './segments';
 import type { ControlHit, ControlLine, ControlLinesPort } from './types';
 
@@ -148,11 +149,9 @@ export function pickLine(
     seen.slice(1).forEach((b, i) => {
       const a = seen[i]!;
       if (a.z < 0 || b.z < 0) return;
-      const [dx, dy] = [b.x - a.x, b.y - a.y];
-      const t = Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
-      const off = Math.hypot(a.x + t * dx - x, a.y + t * dy - y);
-      if (off > nearestLine) return;
-      nearestLine = off;
+      const { distance } = nearestOnSegment(a, b, x, y);
+      if (distance > nearestLine) return;
+      nearestLine = distance;
       line = { id, point: null, segment: Math.floor(i / pieces) };
     });
   }

@@ -1,6 +1,7 @@
 // What of a pen drawing lies under the pointer.
 
 import type { Vec3 } from '../values';
+import { nearestOnSegment } from './on-segment';
 import type { PenDrawing, PenHit, PenPart } from './types';
 
 /** CSS pixels. */
@@ -35,12 +36,10 @@ export function linesNear(
       const j = i + 1 < end ? i + 1 : first;
       if (i + 1 === end && !closed[line]) break;
       if (seen[3 * i + 2]! < 0 || seen[3 * j + 2]! < 0) continue;
-      const [ax, ay] = [seen[3 * i]!, seen[3 * i + 1]!];
-      const [dx, dy] = [seen[3 * j]! - ax, seen[3 * j + 1]! - ay];
-      const t = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy || 1)));
-      const off = Math.hypot(ax + t * dx - x, ay + t * dy - y);
-      if (off > nearest) continue;
-      nearest = off;
+      const [a, b] = [i, j].map((at) => ({ x: seen[3 * at]!, y: seen[3 * at + 1]! })) as [OnScreen, OnScreen];
+      const { t, distance } = nearestOnSegment(a, b, x, y);
+      if (distance > nearest) continue;
+      nearest = distance;
       met = { segment: i - first, t };
     }
     if (!met) continue;
@@ -73,9 +72,7 @@ export function holdAt(
   for (let i = 0; i + 1 < line.length; i++) {
     const [a, b] = [line[i]!, line[i + 1]!];
     if (a.z < 0 || b.z < 0) continue;
-    const [dx, dy] = [b.x - a.x, b.y - a.y];
-    const t = Math.min(1, Math.max(0, ((x - a.x) * dx + (y - a.y) * dy) / (dx * dx + dy * dy || 1)));
-    if (Math.hypot(a.x + t * dx - x, a.y + t * dy - y) <= LINE_REACH) return 'line';
+    if (nearestOnSegment(a, b, x, y).distance <= LINE_REACH) return 'line';
   }
   return Math.abs(away(centre) - radius) <= RING_REACH ? 'ring' : null;
 }

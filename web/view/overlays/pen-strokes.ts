@@ -1,5 +1,6 @@
 // How a pen would draw lines: contours strong, suggestive ones fine, all of them running out at their ends.
 
+import { MathUtils } from 'three';
 import type { Segments } from './segments';
 import type { PenDrawing } from './types';
 
@@ -63,7 +64,7 @@ export function penStrokes(
       before += lengths[i]!;
       const away = Math.min(middle + fromStart!, whole - middle + fromEnd!);
       const x = taper > 0 ? Math.min(1, away / taper) : 1;
-      const full = x * x * (3 - 2 * x);
+      const full = MathUtils.smoothstep(x, 0, 1);
       const cover = black * (LEAST_INK + (1 - LEAST_INK) * full);
       for (let k = 0; k < 3; k++) looks[4 * at + k] = 1 - cover * (1 - ink[k]!);
       looks[4 * at + 3] = width * (LEAST_WIDTH + (1 - LEAST_WIDTH) * full);

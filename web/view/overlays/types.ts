@@ -1,5 +1,6 @@
 // What the floors above know of the overlays: plain data in model space, and one port for each kind.
 
+import type { ContourLines } from '../../kernel/contract/contour';
 import type { Tint } from '../palette';
 import type { Vec3 } from '../values';
 
@@ -75,18 +76,11 @@ export interface ControlLinesPort {
   pickLine(x: number, y: number): ControlHit | null;
 }
 
-/** Lines on the surface as a pen would draw them. */
-export interface PenDrawing {
-  /** Line `i` has points `offsets[i]` to `offsets[i + 1]`, 3 numbers each, model space. */
-  readonly points: Float64Array;
-  readonly offsets: Uint32Array;
-  /** Per point 3 source vertices and their weights: there it stays when the surface moves. */
-  readonly corners: Uint32Array;
-  readonly weights: Float32Array;
-  /** Per line: 1 for a thin one; 1 where the last point goes on to the first. */
-  readonly suggestive: Uint8Array;
-  readonly closed: Uint8Array;
-}
+/** Lines on the surface as a pen would draw them: suggestive ones thin. */
+export type PenDrawing = Pick<
+  ContourLines,
+  'points' | 'offsets' | 'corners' | 'weights' | 'suggestive' | 'closed'
+>;
 
 /** The line in hand: where it runs, its ends, and how far a pull of it reaches. */
 export interface PenHold {

@@ -21,7 +21,7 @@ import type { Vec3 } from '../../../view/types';
 import { t } from '../../i18n';
 import type { WingParts } from '../../wing-parts';
 import type { CurvesEdits } from '../edits';
-import { extentOf } from '../extent';
+import { extentShown } from '../extent';
 import type { CurvesState } from '../state';
 import type { InHand } from './state';
 
@@ -42,8 +42,7 @@ export class Hand {
 
   /** The model's largest extent. */
   get size(): number {
-    const positions = this.parts.evaluator.result.peek()?.shown.model.positions;
-    return positions ? extentOf(positions) : 0;
+    return extentShown(this.parts.evaluator);
   }
 
   get #held(): InHand | null {
