@@ -3,7 +3,7 @@
 // What tests of the field solvers share: demands without any order, and the operator as a sparse matrix.
 
 #include "lissom/hair/field_solver.h"
-#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/chance.h"
 
 #include <vector>
 

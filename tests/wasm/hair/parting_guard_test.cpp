@@ -1,7 +1,7 @@
 #include "lissom/hair/parting_guard.h"
 
 #include "lissom/hair/hair_volume.h"
-#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/chance.h"
 #include "shapes.h"
 
 #include <doctest/doctest.h>

@@ -1,6 +1,6 @@
 #include "lissom/hair/scalp_roots.h"
 
-#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/chance.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
 

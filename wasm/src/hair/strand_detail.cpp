@@ -2,7 +2,7 @@
 
 #include "demand.h"
 
-#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/chance.h"
 #include "lissom/mesh/smooth.h"
 
 #include <Eigen/Geometry>

@@ -19,9 +19,9 @@ namespace lissom {
 /// The upper bits as a number in [0, 1).
 [[nodiscard]] constexpr double unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-/// One chance of one strand, in [0, 1).
-[[nodiscard]] constexpr double chance(std::uint64_t seed, std::uint64_t strand, std::uint64_t purpose) {
-    return unit(hash_bits(seed, strand, purpose));
+/// One chance of one thing (a strand, a vertex), in [0, 1).
+[[nodiscard]] constexpr double chance(std::uint64_t seed, std::uint64_t index, std::uint64_t purpose) {
+    return unit(hash_bits(seed, index, purpose));
 }
 
 } // namespace lissom

@@ -1,4 +1,4 @@
-#include "lissom/hair/strand_hash.h"
+#include "lissom/mesh/chance.h"
 
 #include <doctest/doctest.h>
 
