@@ -63,3 +63,40 @@ TEST_CASE("what crosses itself is told, in any unit; what does not is clean") {
     CHECK(self_intersections(near).pairs <= found.pairs);
     CHECK(self_intersections({Points(0, 3), Triangles(0, 3)}).pairs == 0);
 }
+
+TEST_CASE("a finder follows a surface as it moves, and asked about some triangles finds their pairs alone") {
+    const TriangleMesh still = shapes::joined({shapes::bumpy_sphere(2), shapes::icosphere(2)});
+    IntersectionFinder finder({still.points, still.triangles});
+    for (const double by : {4.0, 1.1, 0.3, 2.5}) {
+        TriangleMesh mesh = still;
+        mesh.points.bottomRows(mesh.vertex_count() / 2).rowwise() += Eigen::RowVector3d(by, 0.03, 0.07);
+        const SelfIntersections all = self_intersections(mesh), found = finder.find(mesh.points);
+        CHECK(found.pairs == all.pairs);
+        CHECK(found.triangles == all.triangles);
+        std::vector<int> half;
+        for (int t = 0; t < mesh.triangle_count() / 2; ++t) half.push_back(t);
+        CHECK(finder.find(mesh.points, half).pairs == all.pairs); // one of each pair lies in the first sphere
+        CHECK(finder.find(mesh.points, std::vector<int>{}).pairs == 0);
+        if (all.pairs > 0) {
+            const int one = all.triangles.front();
+            const SelfIntersections of_one = finder.find(mesh.points, std::vector<int>{one});
+            CHECK(of_one.pairs == std::ssize(of_one.triangles) - 1);
+            CHECK(of_one.triangles.front() == one);
+        }
+    }
+}
+
+TEST_CASE("triangles around one vertex are looked at where that is asked for") {
+    // Two triangles with the corner 0; the side opposite it of the second goes up through the first, or past it.
+    TriangleMesh mesh{Points(5, 3), Triangles(2, 3)};
+    mesh.points << 0, 0, 0, 2, 0, 0, 0, 2, 0, 0.5, 0.5, -1, 0.5, 0.5, 1;
+    mesh.triangles << 0, 1, 2, 0, 3, 4;
+    using Neighbours = IntersectionFinder::Neighbours;
+    CHECK(IntersectionFinder(mesh).find(mesh.points).pairs == 0);
+    CHECK(IntersectionFinder(mesh, Neighbours::looked_at).find(mesh.points).pairs == 1);
+    mesh.points.row(3) << -0.5, 0.5, -1;
+    mesh.points.row(4) << -0.5, 0.5, 1;
+    CHECK(IntersectionFinder(mesh, Neighbours::looked_at).find(mesh.points).pairs == 0);
+    for (const TriangleMesh& clean : {shapes::box(6, 20, 6, {1, 4, 1}), shapes::icosphere(3), shapes::torus(), shapes::sheet()})
+        CHECK(IntersectionFinder(clean, Neighbours::looked_at).find(clean.points).pairs == 0);
+}

@@ -93,3 +93,27 @@ TEST_CASE("no triangles, or some that are not finite, are no hindrance") {
     CHECK(tree.hits({0, 0, 5}, {0.01, 0.02, -1}).size() == 2);
     CHECK(tree.nearest({0, 0, 3}).distance == doctest::Approx(2).epsilon(0.01));
 }
+
+TEST_CASE("the nearest triangle of some is that of trying them all, with and without a hint, and none beyond the reach") {
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    const TriangleMesh mesh = shapes::bumpy_sphere();
+    const TriangleTree tree(mesh);
+    const auto accepts = [](int t) { return t % 7 == 3; };
+    for (int k = 0; k < 100; ++k) {
+        const Vector3d p(unit(random), unit(random), unit(random));
+        double least = INFINITY;
+        for (int t = 3; t < mesh.triangle_count(); t += 7)
+            least = std::min(least, (nearest_on_triangle(p, mesh.points.row(mesh.triangles(t, 0)), mesh.points.row(mesh.triangles(t, 1)), mesh.points.row(mesh.triangles(t, 2))).point - p).norm());
+        const auto found = tree.nearest_where(p, INFINITY, -1, accepts);
+        CHECK(found.distance == doctest::Approx(least).epsilon(1e-12));
+        CHECK(found.triangle % 7 == 3);
+        for (const int hint : {0, 3, found.triangle, mesh.triangle_count() - 1}) {
+            const auto again = tree.nearest_where(p, INFINITY, hint, accepts);
+            CHECK(again.triangle == found.triangle);
+            CHECK(again.point == found.point);
+        }
+        CHECK(tree.nearest_where(p, 0.99 * least, -1, accepts).triangle == -1);
+        CHECK(tree.nearest_where(p, 1.01 * least, -1, accepts).triangle == found.triangle);
+    }
+}

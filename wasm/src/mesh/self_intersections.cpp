@@ -63,35 +63,68 @@ bool meets_in_plane(const std::array<Vector3d, 2>& edge, const Corners& b) {
     return inside(q, p[0]);
 }
 
+/// Whether the segment from p to q, which lie on different sides of b's plane or one of them in it, meets `b`.
+bool segment_meets(const Vector3d& p, const Vector3d& q, const Corners& b) {
+    const int s0 = orient3d(p, q, b[0], b[1]), s1 = orient3d(p, q, b[1], b[2]), s2 = orient3d(p, q, b[2], b[0]);
+    return (s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0);
+}
+
 /// Whether an edge of `a`, on whose sides of b's plane its corners lie as given, meets `b`. Edges in the plane are left to meet_in_plane.
 bool edge_meets(const Corners& a, const std::array<int, 3>& side, const Corners& b) {
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         if (side[i] * side[j] > 0 || (side[i] == 0 && side[j] == 0)) continue;
-        const int s0 = orient3d(a[i], a[j], b[0], b[1]), s1 = orient3d(a[i], a[j], b[1], b[2]), s2 = orient3d(a[i], a[j], b[2], b[0]);
-        if ((s0 >= 0 && s1 >= 0 && s2 >= 0) || (s0 <= 0 && s1 <= 0 && s2 <= 0)) return true;
+        if (segment_meets(a[i], a[j], b)) return true;
     }
     return false;
+}
+
+/// Of triangles with the corner `i` of `a` in common: whether the side of `a` opposite it goes through `b`.
+bool opposite_side_meets(const Corners& a, int i, const Corners& b) {
+    const Vector3d &p = a[(i + 1) % 3], &q = a[(i + 2) % 3];
+    const int sp = orient3d(b[0], b[1], b[2], p), sq = orient3d(b[0], b[1], b[2], q);
+    return sp * sq <= 0 && (sp != 0 || sq != 0) && segment_meets(p, q, b);
 }
 
 struct Node {
     AlignedBox3d box;
     int first, last;          ///< of the triangles in order, [first, last)
     int left = -1, right = -1; ///< −1: a leaf
+    bool chosen = true;        ///< holds a triangle that is asked about
 };
 
 constexpr int k_leaf = 4;
 
 class Tree {
 public:
-    explicit Tree(const TriangleMesh& mesh) {
+    explicit Tree(const TriangleMesh& mesh) : boxes_(static_cast<std::size_t>(mesh.triangle_count())), chosen_(boxes_.size(), 1) {
         for (int t = 0; t < mesh.triangle_count(); ++t) {
             const auto row = mesh.triangles.row(t);
-            boxes_.emplace_back();
-            for (const int v : row) boxes_.back().extend(mesh.points.row(v).transpose());
-            if (boxes_.back().min().allFinite() && boxes_.back().max().allFinite() && row[0] != row[1] && row[1] != row[2] && row[2] != row[0]) order_.push_back(t);
+            box(mesh.triangles, mesh.points, t);
+            if (boxes_[t].min().allFinite() && boxes_[t].max().allFinite() && row[0] != row[1] && row[1] != row[2] && row[2] != row[0]) order_.push_back(t);
         }
         if (!order_.empty()) build(0, static_cast<int>(order_.size()));
+    }
+
+    /// Boxes where the points are now.
+    void follow(const Triangles& triangles, const Points& points) {
+        for (const int t : order_) box(triangles, points, t);
+        each_node_up([&](Node& node, const Node* left, const Node* right) {
+            node.box = AlignedBox3d();
+            if (left) node.box = left->box.merged(right->box);
+            else
+                for (int k = node.first; k < node.last; ++k) node.box.extend(boxes_[order_[k]]);
+        });
+    }
+
+    /// From now on only pairs with at least one of these; none: with any.
+    void choose(const std::span<const int>* triangles) {
+        std::fill(chosen_.begin(), chosen_.end(), triangles ? 0 : 1);
+        if (triangles)
+            for (const int t : *triangles) chosen_[t] = 1;
+        each_node_up([&](Node& node, const Node* left, const Node* right) {
+            node.chosen = left ? left->chosen || right->chosen : std::any_of(order_.begin() + node.first, order_.begin() + node.last, [&](int t) { return chosen_[t] != 0; });
+        });
     }
 
     /// Calls `meet` for every pair whose boxes overlap, once.
@@ -103,11 +136,12 @@ public:
             const auto [i, j] = open.back();
             open.pop_back();
             const Node &a = nodes_[i], &b = nodes_[j];
+            if (!a.chosen && !b.chosen) continue;
             if (i != j && !a.box.intersects(b.box)) continue;
             if (a.left < 0 && b.left < 0) {
                 for (int p = a.first; p < a.last; ++p)
                     for (int q = i == j ? p + 1 : b.first; q < b.last; ++q)
-                        if (boxes_[order_[p]].intersects(boxes_[order_[q]])) meet(order_[p], order_[q]);
+                        if ((chosen_[order_[p]] || chosen_[order_[q]]) && boxes_[order_[p]].intersects(boxes_[order_[q]])) meet(order_[p], order_[q]);
             } else if (i == j) {
                 open.insert(open.end(), {{a.left, a.left}, {a.right, a.right}, {a.left, a.right}});
             } else if (b.left < 0 || (a.left >= 0 && a.last - a.first >= b.last - b.first)) {
@@ -117,15 +151,27 @@ public:
     }
 
 private:
+    void box(const Triangles& triangles, const Points& points, int t) {
+        boxes_[t] = AlignedBox3d();
+        for (int k = 0; k < 3; ++k) boxes_[t].extend(points.row(triangles(t, k)).transpose());
+    }
+
+    /// Calls `visit(node, left, right)` from the leaves up; leaves have no two children. Children stand after their parents.
+    template <class Visit>
+    void each_node_up(Visit visit) {
+        for (auto node = nodes_.rbegin(); node != nodes_.rend(); ++node)
+            visit(*node, node->left < 0 ? nullptr : &nodes_[node->left], node->left < 0 ? nullptr : &nodes_[node->right]);
+    }
+
     int build(int first, int last) {
         const int here = static_cast<int>(nodes_.size());
         nodes_.push_back({{}, first, last});
-        AlignedBox3d box;
-        for (int k = first; k < last; ++k) box.extend(boxes_[order_[k]]);
-        nodes_[here].box = box;
+        AlignedBox3d around;
+        for (int k = first; k < last; ++k) around.extend(boxes_[order_[k]]);
+        nodes_[here].box = around;
         if (last - first <= k_leaf) return here;
         int axis = 0;
-        box.sizes().maxCoeff(&axis);
+        around.sizes().maxCoeff(&axis);
         const int middle = (first + last) / 2;
         std::nth_element(order_.begin() + first, order_.begin() + middle, order_.begin() + last, [&](int p, int q) {
             const double a = boxes_[p].min()[axis] + boxes_[p].max()[axis], b = boxes_[q].min()[axis] + boxes_[q].max()[axis];
@@ -138,9 +184,16 @@ private:
     }
 
     std::vector<AlignedBox3d> boxes_;
+    std::vector<char> chosen_;
     std::vector<int> order_;
     std::vector<Node> nodes_;
 };
+
+Corners corners(const Triangles& triangles, const Points& points, int t) {
+    Corners all;
+    for (int k = 0; k < 3; ++k) all[k] = points.row(triangles(t, k)).transpose();
+    return all;
+}
 
 } // namespace
 
@@ -163,24 +216,57 @@ bool triangles_meet(const Corners& a, const Corners& b) {
     return edge_in_plane(a, of_a, b) || edge_in_plane(b, of_b, a);
 }
 
-SelfIntersections self_intersections(const TriangleMesh& mesh) {
-    SelfIntersections result;
-    const auto corners = [&](int t) {
-        Corners all;
-        for (int k = 0; k < 3; ++k) all[k] = mesh.points.row(mesh.triangles(t, k)).transpose();
-        return all;
-    };
-    Tree(mesh).pairs([&](int p, int q) {
-        for (const int a : mesh.triangles.row(p))
-            for (const int b : mesh.triangles.row(q))
-                if (a == b) return;
-        if (!triangles_meet(corners(p), corners(q))) return;
-        ++result.pairs;
-        result.triangles.insert(result.triangles.end(), {p, q});
-    });
-    std::sort(result.triangles.begin(), result.triangles.end());
-    result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
-    return result;
+struct IntersectionFinder::State {
+    Triangles triangles;
+    bool neighbours;
+    Tree tree;
+
+    [[nodiscard]] bool meet(const Points& points, int p, int q) const {
+        int common = 0, of_p = 0, of_q = 0;
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j)
+                if (triangles(p, i) == triangles(q, j)) {
+                    ++common;
+                    of_p = i;
+                    of_q = j;
+                }
+        if (common == 0) return triangles_meet(corners(triangles, points, p), corners(triangles, points, q));
+        if (common > 1 || !neighbours) return false;
+        const Corners a = corners(triangles, points, p), b = corners(triangles, points, q);
+        return opposite_side_meets(a, of_p, b) || opposite_side_meets(b, of_q, a);
+    }
+
+    [[nodiscard]] SelfIntersections found(const Points& points) const {
+        SelfIntersections result;
+        tree.pairs([&](int p, int q) {
+            if (!meet(points, p, q)) return;
+            ++result.pairs;
+            result.triangles.insert(result.triangles.end(), {p, q});
+        });
+        std::sort(result.triangles.begin(), result.triangles.end());
+        result.triangles.erase(std::unique(result.triangles.begin(), result.triangles.end()), result.triangles.end());
+        return result;
+    }
+};
+
+IntersectionFinder::IntersectionFinder(const TriangleMesh& mesh, Neighbours neighbours)
+    : state_(new State{mesh.triangles, neighbours == Neighbours::looked_at, Tree(mesh)}) {}
+IntersectionFinder::~IntersectionFinder() = default;
+IntersectionFinder::IntersectionFinder(IntersectionFinder&&) noexcept = default;
+IntersectionFinder& IntersectionFinder::operator=(IntersectionFinder&&) noexcept = default;
+
+SelfIntersections IntersectionFinder::find(const Points& points) {
+    state_->tree.follow(state_->triangles, points);
+    state_->tree.choose(nullptr);
+    return state_->found(points);
 }
+
+SelfIntersections IntersectionFinder::find(const Points& points, std::span<const int> triangles) {
+    state_->tree.follow(state_->triangles, points);
+    state_->tree.choose(&triangles);
+    return state_->found(points);
+}
+
+SelfIntersections self_intersections(const TriangleMesh& mesh) { return IntersectionFinder(mesh).find(mesh.points); }
 
 } // namespace lissom

@@ -1,7 +1,5 @@
 #include "lissom/mesh/triangle_tree.h"
 
-#include "lissom/mesh/nearest_on_triangle.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,8 +12,6 @@ namespace lissom {
 using Eigen::Vector3d;
 
 namespace {
-
-constexpr std::size_t k_leaf = 4; // triangles of a leaf
 
 /// The lower ten bits of x, two zeros between each.
 std::uint32_t spread(std::uint32_t x) {
@@ -35,10 +31,6 @@ void radix_sort(std::vector<int>& order, const std::vector<std::uint32_t>& keys)
         for (const int t : order) other[start[keys[t] >> shift & 1023]++] = t;
         order.swap(other);
     }
-}
-
-double squared_distance(const Eigen::AlignedBox3d& box, const Vector3d& p) {
-    return box.isEmpty() ? std::numeric_limits<double>::infinity() : box.squaredExteriorDistance(p);
 }
 
 } // namespace
@@ -142,39 +134,7 @@ std::vector<int> TriangleTree::crossed(const Vector3d& normal, double offset) co
 }
 
 TriangleTree::Nearest TriangleTree::nearest(const Vector3d& p) const {
-    Nearest best;
-    double least = std::numeric_limits<double>::infinity();
-    if (order_.empty() || !p.allFinite()) return best;
-    std::vector<std::pair<std::size_t, std::size_t>> open{{levels_.size() - 1, 0}};
-    while (!open.empty()) {
-        const auto [level, block] = open.back();
-        open.pop_back();
-        if (squared_distance(levels_[level][block], p) > least) continue;
-        if (level == 0) {
-            const std::size_t end = std::min((block + 1) * k_leaf, order_.size());
-            for (std::size_t i = block * k_leaf; i < end; ++i) {
-                const auto corners = mesh().triangles.row(order_[i]);
-                const Vector3d at = nearest_on_triangle(p, mesh().points.row(corners[0]), mesh().points.row(corners[1]), mesh().points.row(corners[2])).point;
-                const double squared = (at - p).squaredNorm();
-                if (squared < least || (squared == least && order_[i] < best.triangle)) {
-                    least = squared;
-                    best = {order_[i], std::sqrt(squared), at};
-                }
-            }
-            continue;
-        }
-        // The nearer child is looked at first: it goes on the stack last.
-        const std::vector<Box>& below = levels_[level - 1];
-        const std::size_t a = 2 * block, b = a + 1;
-        if (b >= below.size()) {
-            open.emplace_back(level - 1, a);
-            continue;
-        }
-        const bool a_first = squared_distance(below[a], p) <= squared_distance(below[b], p);
-        open.emplace_back(level - 1, a_first ? b : a);
-        open.emplace_back(level - 1, a_first ? a : b);
-    }
-    return best;
+    return nearest_where(p, std::numeric_limits<double>::infinity(), -1, [](int) { return true; });
 }
 
 } // namespace lissom

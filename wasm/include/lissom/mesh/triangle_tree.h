@@ -1,9 +1,15 @@
 #pragma once
 
+#include "lissom/mesh/nearest_on_triangle.h"
 #include "lissom/mesh/types.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace lissom {
@@ -36,8 +42,14 @@ public:
         int triangle = -1; ///< −1: there is none
         double distance = 0;
         Eigen::Vector3d point = Eigen::Vector3d::Zero();
+        int feature = 6; ///< of the triangle, see NearestOnTriangle
     };
     [[nodiscard]] Nearest nearest(const Eigen::Vector3d& p) const;
+
+    /// The nearest of those triangles that `accepts(triangle)`, no farther than `reach`; where several are equally near the smallest.
+    /// @param hint  a triangle that may be near, or −1: saves time and changes nothing
+    template <class Accept>
+    [[nodiscard]] Nearest nearest_where(const Eigen::Vector3d& p, double reach, int hint, Accept accepts) const;
 
 private:
     using Box = Eigen::AlignedBox3d;
@@ -50,6 +62,48 @@ private:
     const TriangleMesh* mesh_;
     std::vector<int> order_;                ///< triangles along the curve
     std::vector<std::vector<Box>> levels_;  ///< boxes of blocks: [0] of leaves, each further level half as many
+
+    static constexpr std::size_t k_leaf = 4; ///< triangles of a leaf
 };
+
+template <class Accept>
+TriangleTree::Nearest TriangleTree::nearest_where(const Eigen::Vector3d& p, double reach, int hint, Accept accepts) const {
+    Nearest best;
+    if (order_.empty() || !p.allFinite()) return best;
+    double least = reach * reach;
+    const auto look_at = [&](int t) {
+        const auto corners = mesh().triangles.row(t);
+        const NearestOnTriangle at = nearest_on_triangle(p, mesh().points.row(corners[0]), mesh().points.row(corners[1]), mesh().points.row(corners[2]));
+        const double squared = (at.point - p).squaredNorm();
+        if (!(squared < least || (squared == least && (best.triangle < 0 || t < best.triangle))) || !accepts(t)) return;
+        least = squared;
+        best = {t, std::sqrt(squared), at.point, at.feature};
+    };
+    if (hint >= 0) look_at(hint);
+    std::array<std::pair<std::size_t, std::size_t>, 72> open; // a path down and a sibling a level: no more than two a bit of an index
+    std::size_t count = 0;
+    open[count++] = {levels_.size() - 1, 0};
+    while (count > 0) {
+        const auto [level, block] = open[--count];
+        if (levels_[level][block].isEmpty() || levels_[level][block].squaredExteriorDistance(p) > least) continue;
+        if (level == 0) {
+            const std::size_t end = std::min((block + 1) * k_leaf, order_.size());
+            for (std::size_t i = block * k_leaf; i < end; ++i)
+                if (order_[i] != hint) look_at(order_[i]);
+            continue;
+        }
+        // The nearer child is looked at first: it goes on the stack last.
+        const std::vector<Box>& below = levels_[level - 1];
+        const std::size_t a = 2 * block, b = a + 1;
+        if (b >= below.size()) {
+            open[count++] = {level - 1, a};
+            continue;
+        }
+        const bool a_first = below[a].squaredExteriorDistance(p) <= below[b].squaredExteriorDistance(p);
+        open[count++] = {level - 1, a_first ? b : a};
+        open[count++] = {level - 1, a_first ? a : b};
+    }
+    return best;
+}
 
 } // namespace lissom
