@@ -1,0 +1,83 @@
+#include "lissom/match/fit_surface.h"
+
+#include "lissom/mesh/half_edges.h"
+#include "lissom/mesh/operators.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lissom {
+
+using Eigen::RowVector3d;
+using Eigen::Vector3d;
+
+Points triangle_normals(const TriangleMesh& mesh) {
+    Points normals(mesh.triangle_count(), 3);
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+        const Vector3d a = mesh.points.row(mesh.triangles(t, 0)), b = mesh.points.row(mesh.triangles(t, 1)), c = mesh.points.row(mesh.triangles(t, 2));
+        normals.row(t) = (b - a).cross(c - a).stableNormalized().transpose();
+    }
+    return normals;
+}
+
+Vector3d corner_weights(const TriangleMesh& mesh, int triangle, const Vector3d& place) {
+    const auto corner = [&](int k) -> Vector3d { return mesh.points.row(mesh.triangles(triangle, k)); };
+    const Vector3d a = corner(0), ab = corner(1) - a, ac = corner(2) - a, normal = ab.cross(ac);
+    const double squared = normal.squaredNorm();
+    if (!(squared > 0)) return {1, 0, 0};
+    const double b = std::clamp((place - a).cross(ac).dot(normal) / squared, 0.0, 1.0), c = std::clamp(ab.cross(place - a).dot(normal) / squared, 0.0, 1 - b);
+    return {1 - b - c, b, c};
+}
+
+namespace {
+
+/// Every edge of one triangle as a triangle of its two ends.
+TriangleMesh rim(const TriangleMesh& mesh) {
+    TriangleMesh edges{mesh.points, Triangles(0, 3)};
+    std::vector<int> corners;
+    for_each_edge(half_edges(mesh), [&](auto first, auto last) {
+        if (last - first == 1) corners.insert(corners.end(), {first->a, first->b, first->b});
+    });
+    edges.triangles = Eigen::Map<const Triangles>(corners.data(), std::ssize(corners) / 3, 3);
+    return edges;
+}
+
+} // namespace
+
+FitSurface::FitSurface(TriangleMesh mesh) : FitSurface(std::move(mesh), Rules{}) {}
+
+FitSurface::FitSurface(TriangleMesh mesh, const Rules& rules)
+    : mesh_(std::move(mesh)), rules_(rules), normals_(triangle_normals(mesh_)), vertex_normals_(vertex_normals(mesh_)), border_(rules.borders ? rim(mesh_) : TriangleMesh{Points(0, 3), Triangles(0, 3)}),
+      border_edge_(static_cast<std::size_t>(3 * mesh_.triangle_count()), 0), border_vertex_(static_cast<std::size_t>(mesh_.vertex_count()), 0), tree_(mesh_), border_tree_(border_) {
+    if (!has_border()) return;
+    for_each_edge(half_edges(mesh_), [&](auto first, auto last) {
+        if (last - first != 1) return;
+        border_edge_[3 * first->triangle + (first->corner + 2) % 3] = 1;
+        border_vertex_[first->a] = border_vertex_[first->b] = 1;
+    });
+}
+
+FitSurface::Place FitSurface::nearest(const Vector3d& p, const Vector3d& normal, double least_cosine, double reach, int hint) const {
+    const bool facing = rules_.facing && least_cosine > -1;
+    const auto found = tree_.nearest_where(p, reach, hint, [&](int t) { return !facing || normals_.row(t).dot(normal) > least_cosine; });
+    Place place{found.triangle, found.point, found.distance};
+    if (found.triangle < 0) return place;
+    if (rules_.facing) {
+        const Vector3d weights = corner_weights(mesh_, found.triangle, found.point);
+        RowVector3d blend = RowVector3d::Zero();
+        for (int k = 0; k < 3; ++k) blend += weights[k] * vertex_normals_.row(mesh_.triangles(found.triangle, k));
+        place.cosine = blend.stableNormalized().dot(normal);
+    }
+    if (has_border()) {
+        if (found.feature < 3) place.on_border = border_vertex_[mesh_.triangles(found.triangle, found.feature)] != 0;
+        else if (found.feature < 6) place.on_border = border_edge_[3 * found.triangle + found.feature - 3] != 0;
+    }
+    return place;
+}
+
+FitSurface::Place FitSurface::nearest_on_border(const Vector3d& p, double reach) const {
+    const auto found = border_tree_.nearest_where(p, reach, -1, [](int) { return true; });
+    return {found.triangle, found.point, found.distance, 1, true};
+}
+
+} // namespace lissom
