@@ -1,0 +1,234 @@
+#include "skin_editor.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace lissom {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// Cosine between a triangle's normals before and after a collapse, below which it counts as turned over.
+constexpr double k_collapse_turn = 0.3;
+/// Between each new triangle of a swap and the two old ones together: bends of more than some 35 degrees are shape.
+constexpr double k_swap_turn = 0.82;
+/// Cosine by which the largest angle must fall for a swap: rounding decides nothing.
+constexpr double k_better = 1e-6;
+
+/// Cosine of the angle at p that faces the edge from a to b; −1 where there is none.
+double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
+    const Vector3d u = a - p, v = b - p;
+    const double lengths = u.norm() * v.norm();
+    return lengths > 0 ? u.dot(v) / lengths : -1;
+}
+
+} // namespace
+
+SkinEditor::SkinEditor(const SkinPair& skins, double longest)
+    : longest_(longest), marker_(skins.marker), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
+    for (int v = 0; v < skins.vertex_count(); ++v) {
+        points_[on_source].push_back(skins.source.row(v));
+        points_[on_target].push_back(skins.target.row(v));
+    }
+    for (int t = 0; t < skins.triangles.rows(); ++t) {
+        triangles_.push_back({skins.triangles(t, 0), skins.triangles(t, 1), skins.triangles(t, 2)});
+        attach(t);
+    }
+    gone_.assign(triangles_.size(), 0);
+}
+
+void SkinEditor::attach(int triangle) {
+    for (const int v : triangles_[triangle]) around_[v].push_back(triangle);
+}
+
+void SkinEditor::detach(int triangle) {
+    for (const int v : triangles_[triangle]) std::erase(around_[v], triangle);
+}
+
+void SkinEditor::replace(int triangle, const Corners& corners) {
+    detach(triangle);
+    triangles_[triangle] = corners;
+    attach(triangle);
+}
+
+std::vector<std::pair<int, int>> SkinEditor::edges() const {
+    std::vector<std::pair<int, int>> all;
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+        if (!gone_[t])
+            for (int k = 0; k < 3; ++k) all.emplace_back(std::minmax(triangles_[t][k], triangles_[t][(k + 1) % 3]));
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+SkinEditor::Sides SkinEditor::sides(int a, int b) const {
+    Sides found;
+    for (const int t : around_[a])
+        for (int k = 0; k < 3; ++k) {
+            const Corners& c = triangles_[t];
+            const int from = c[k], to = c[(k + 1) % 3], corner = c[(k + 2) % 3];
+            if (from == a && to == b) {
+                found.sound = found.sound && found.left < 0;
+                found.left = t;
+                found.left_corner = corner;
+            } else if (from == b && to == a) {
+                found.sound = found.sound && found.right < 0;
+                found.right = t;
+                found.right_corner = corner;
+            }
+        }
+    return found;
+}
+
+std::vector<int> SkinEditor::ring(int v) const {
+    std::vector<int> all;
+    for (const int t : around_[v])
+        for (const int w : triangles_[t])
+            if (w != v) all.push_back(w);
+    std::sort(all.begin(), all.end());
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
+/// Around an inner vertex every neighbour stands in two triangles.
+bool SkinEditor::on_border(int v) const { return ring(v).size() != around_[v].size(); }
+
+Vector3d SkinEditor::normal(const Corners& corners, Side side) const {
+    const auto& p = points_[side];
+    return (p[corners[1]] - p[corners[0]]).cross(p[corners[2]] - p[corners[0]]);
+}
+
+bool SkinEditor::split(int a, int b) {
+    const Sides at = sides(a, b);
+    if (!at.sound || (at.left < 0 && at.right < 0)) return false;
+    const int middle = static_cast<int>(around_.size());
+    for (const Side side : {on_source, on_target}) points_[side].push_back((points_[side][a] + points_[side][b]) / 2);
+    marker_.push_back(-1);
+    around_.emplace_back();
+    ++vertices_;
+    for (const int t : {at.left, at.right}) {
+        if (t < 0) continue;
+        Corners first = triangles_[t], second = first;
+        std::replace(first.begin(), first.end(), b, middle);
+        std::replace(second.begin(), second.end(), a, middle);
+        replace(t, first);
+        triangles_.push_back(second);
+        gone_.push_back(0);
+        attach(static_cast<int>(triangles_.size()) - 1);
+    }
+    return true;
+}
+
+bool SkinEditor::harms(int v, int other, const Vector3d& place, Side side) const {
+    const auto& p = points_[side];
+    for (const int t : around_[v]) {
+        const Corners& c = triangles_[t];
+        if (std::find(c.begin(), c.end(), other) != c.end()) continue; // goes
+        const int k = static_cast<int>(std::find(c.begin(), c.end(), v) - c.begin());
+        const Vector3d &q = p[c[(k + 1) % 3]], &r = p[c[(k + 2) % 3]];
+        if ((q - place).norm() > longest_ || (r - place).norm() > longest_) return true;
+        const Vector3d before = normal(c, side), after = (q - place).cross(r - place);
+        if (!(after.dot(before) > k_collapse_turn * after.norm() * before.norm())) return true;
+    }
+    return false;
+}
+
+bool SkinEditor::collapse(int a, int b) {
+    const Sides at = sides(a, b);
+    if (!at.sound || (at.left < 0 && at.right < 0)) return false;
+    if (marker_[a] >= 0 && marker_[b] >= 0) return false;
+    const bool border_a = on_border(a), border_b = on_border(b), along = !at.inner();
+    if (border_a && border_b && !along) return false; // would pinch the surface
+    // Which end stays where it is: a marker before a border, else they meet in the middle.
+    if ((marker_[a] >= 0 && border_b && !border_a) || (marker_[b] >= 0 && border_a && !border_b)) return false; // would pull the border inwards
+    int kept = a, taken = b;
+    double part = 0.5; // of the way from kept to taken
+    if (marker_[a] >= 0 || marker_[b] >= 0 || border_a != border_b) {
+        part = 0;
+        if (marker_[b] >= 0 || (marker_[a] < 0 && border_b && !border_a)) std::swap(kept, taken);
+    }
+    const std::vector<int> ring_a = ring(a), ring_b = ring(b);
+    std::vector<int> common;
+    std::set_intersection(ring_a.begin(), ring_a.end(), ring_b.begin(), ring_b.end(), std::back_inserter(common));
+    if (std::ssize(common) != (at.left >= 0) + (at.right >= 0)) return false; // link condition
+    for (const int corner : common)
+        if (around_[corner].size() <= (on_border(corner) ? 1u : 3u)) return false; // would be left without a fan
+    std::array<Vector3d, 2> place;
+    for (const Side side : {on_source, on_target}) {
+        place[side] = (1 - part) * points_[side][kept] + part * points_[side][taken];
+        if (harms(kept, taken, place[side], side) || harms(taken, kept, place[side], side)) return false;
+    }
+    for (const Side side : {on_source, on_target}) points_[side][kept] = place[side];
+    for (const int t : {at.left, at.right})
+        if (t >= 0) {
+            detach(t);
+            gone_[t] = 1;
+        }
+    for (const int t : std::vector<int>(around_[taken])) {
+        Corners corners = triangles_[t];
+        std::replace(corners.begin(), corners.end(), taken, kept);
+        replace(t, corners);
+    }
+    --vertices_;
+    return true;
+}
+
+bool SkinEditor::swap_if_better(int a, int b) {
+    const Sides at = sides(a, b);
+    if (!at.inner()) return false;
+    const int p = at.left_corner, q = at.right_corner;
+    if (p == q) return false;
+    // Criterion 3: the largest angle has the smallest cosine.
+    double before = 1, after = 1;
+    for (const Side side : {on_source, on_target}) {
+        const auto& x = points_[side];
+        before = std::min({before, facing_cosine(x[p], x[a], x[b]), facing_cosine(x[q], x[a], x[b])});
+        after = std::min({after, facing_cosine(x[a], x[p], x[q]), facing_cosine(x[b], x[p], x[q])});
+    }
+    if (!(after > before + k_better)) return false;
+    if (around_[a].size() <= 3 || around_[b].size() <= 3) return false;
+    const std::vector<int> near = ring(p);
+    if (std::binary_search(near.begin(), near.end(), q)) return false;
+    const Corners first{a, q, p}, second{q, b, p}; // of (a, b, p) and (b, a, q)
+    for (const Side side : {on_source, on_target}) {
+        const Vector3d old = normal(triangles_[at.left], side) + normal(triangles_[at.right], side);
+        for (const Corners& corners : {first, second}) {
+            const Vector3d fresh = normal(corners, side);
+            if (!(fresh.dot(old) > k_swap_turn * fresh.norm() * old.norm())) return false;
+        }
+    }
+    replace(at.left, first);
+    replace(at.right, second);
+    return true;
+}
+
+SkinPair SkinEditor::take() const {
+    SkinPair skins;
+    std::vector<int> place(around_.size(), -1);
+    int count = 0;
+    for (std::size_t v = 0; v < around_.size(); ++v)
+        if (!around_[v].empty() || marker_[v] >= 0) place[v] = count++;
+    skins.source.resize(count, 3);
+    skins.target.resize(count, 3);
+    skins.marker.resize(static_cast<std::size_t>(count));
+    for (std::size_t v = 0; v < around_.size(); ++v) {
+        if (place[v] < 0) continue;
+        skins.source.row(place[v]) = points_[on_source][v].transpose();
+        skins.target.row(place[v]) = points_[on_target][v].transpose();
+        skins.marker[place[v]] = marker_[v];
+    }
+    skins.triangles.resize(static_cast<Eigen::Index>(std::count(gone_.begin(), gone_.end(), 0)), 3);
+    int row = 0;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        if (gone_[t]) continue;
+        for (int k = 0; k < 3; ++k) skins.triangles(row, k) = place[triangles_[t][k]];
+        ++row;
+    }
+    return skins;
+}
+
+} // namespace lissom
