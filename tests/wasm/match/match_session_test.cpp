@@ -1,0 +1,265 @@
+#include "lissom/match/match_session.h"
+
+#include "../refusal.h"
+#include "lissom/mesh/errors.h"
+#include "lissom/mesh/operators.h"
+#include "lissom/mesh/self_intersections.h"
+#include "lissom/mesh/topology.h"
+#include "shapes.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lissom;
+using Eigen::Affine3d;
+using Eigen::RowVector3d;
+using Eigen::Vector3d;
+
+namespace {
+
+/// Runs a match to its end.
+MatchResult matched(const TriangleMesh& source, const TriangleMesh& target, const Points& from, const Points& to, const MatchOptions& options = {}) {
+    const WorkingMesh a = shapes::working(source), b = shapes::working(target);
+    MatchSession session(a, b, from, to, options);
+    double before = 0;
+    while (session.step()) {
+        CHECK(session.fraction() >= before);
+        before = session.fraction();
+    }
+    CHECK(session.fraction() == 1);
+    return session.result();
+}
+
+/// A ball with five arms: nothing symmetric about it.
+TriangleMesh figure(double bend = 0, int levels = 4) {
+    TriangleMesh mesh = shapes::icosphere(levels);
+    Points arms(5, 3);
+    arms << 1, 0.2, 0.1, -0.8, 0.5, 0.3, 0.1, -1, 0.3, 0.2, 0.4, 1, -0.3, 0.1, -1;
+    const double lengths[] = {0.8, 0.5, 0.7, 0.4, 0.6};
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+        const Vector3d d = mesh.points.row(v).normalized();
+        double r = 0.5;
+        for (int k = 0; k < 5; ++k) r += lengths[k] * (1 + bend * std::sin(2.0 * k)) * std::exp(12 * (d.dot(Vector3d(arms.row(k).normalized())) - 1));
+        const Vector3d p = r * d;
+        mesh.points.row(v) = RowVector3d(p.x() + bend * 0.3 * p.y() * p.y(), p.y() + bend * 0.2 * p.z() * p.z(), p.z() - bend * 0.3 * p.x() * p.y());
+    }
+    return mesh;
+}
+/// Vertices of the icosphere as markers: the same places on every figure.
+Points some(const TriangleMesh& mesh, int count = 12) {
+    Points places(count, 3);
+    for (int k = 0; k < count; ++k) places.row(k) = mesh.points.row(k); // the icosahedron's own
+    return places;
+}
+Affine3d placed(double scale) { return Eigen::Translation3d(scale * Vector3d(3, -2, 7)) * Eigen::AngleAxisd(2.3, Vector3d(1, -2, 3).normalized()) * Eigen::Scaling(scale); }
+
+bool has(const MatchReport& report, const std::string& code) {
+    return std::any_of(report.warnings.begin(), report.warnings.end(), [&](const Finding& w) { return w.code == code; });
+}
+
+} // namespace
+
+TEST_CASE("a model matched to itself is itself, with and without changes of edges") {
+    const TriangleMesh mesh = figure(0, 3);
+    for (const bool connectivity : {false, true})
+        for (const int count : {0, 3, 12}) {
+            CAPTURE(count);
+            const MatchResult result = matched(mesh, mesh, some(mesh, count), some(mesh, count), {.connectivity = connectivity});
+            const double D = diagonal(mesh.points);
+            // Both skins are kept on their model by ways of their own once edges change: they slide a little against each other.
+            CHECK((result.skins.source - result.skins.target).rowwise().norm().maxCoeff() < (connectivity ? 5e-4 : 1e-9) * D);
+            if (!connectivity) {
+                CHECK(result.skins.triangles == mesh.triangles);
+                CHECK((result.skins.target - mesh.points).rowwise().norm().maxCoeff() < 1e-9 * D);
+            }
+            CHECK(result.report.marker_error < 1e-12);
+            CHECK(result.report.target.mean_there < 3e-3);
+            CHECK(result.report.flipped == 0);
+        }
+}
+
+TEST_CASE("two figures: skins of one connectivity on both, markers met, nothing crossed, turned over or left behind") {
+    const TriangleMesh a = figure(), b = figure(0.5);
+    const MatchResult result = matched(a, b, some(a), some(b));
+    const MatchReport& report = result.report;
+    MESSAGE("distances " << report.target.mean_there << " / " << report.target.mean_back << ", 99 % " << report.target.most << ", source's " << report.source.mean_there << " / "
+                         << report.source.mean_back << ", folds " << report.target_folds << ", " << report.connectivity.splits << " splits, " << report.connectivity.collapses
+                         << " collapses, " << report.connectivity.swaps << " swaps, " << report.seconds.sum() << " s");
+    CHECK(result.skins.source.rows() == result.skins.target.rows());
+    CHECK(report.marker_error < 1e-12);
+    CHECK(report.source_crossings == 0);
+    CHECK(report.target_crossings == 0);
+    CHECK(report.flipped == 0);
+    CHECK(report.target.mean_there < 8e-4);
+    CHECK(report.target.mean_back < 8e-4);
+    CHECK(report.target.most < 0.005);
+    CHECK(report.source.most < 0.005);
+    CHECK(report.bent);
+    CHECK(report.connectivity.any());
+    CHECK(std::ssize(report.residuals) == result.skins.vertex_count());
+    CHECK(euler_characteristic(result.skins.source_mesh()) == 2);
+    for (int m = 0; m < 12; ++m) {
+        const int v = result.marker_vertices[static_cast<std::size_t>(m)];
+        CHECK((result.skins.source.row(v) - a.points.row(m)).norm() < 1e-12 * diagonal(a.points));
+        CHECK((result.skins.target.row(v) - b.points.row(m)).norm() < 1e-12 * diagonal(b.points));
+    }
+}
+
+TEST_CASE("what lies between markers corresponds: vertices find their own image") {
+    const TriangleMesh a = figure(), b = figure(0.5);
+    const MatchResult result = matched(a, b, some(a), some(b), {.connectivity = false});
+    const double apart = (result.skins.target - b.points).rowwise().norm().mean() / diagonal(b.points);
+    MESSAGE("mean " << apart << " of the diagonal from the true image");
+    CHECK(apart < 0.004);
+}
+
+TEST_CASE("scaling, turning and moving either model goes along") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
+    for (const bool connectivity : {false, true})
+        for (const double scale : {1e-4, 1e4}) {
+            const MatchOptions options{.connectivity = connectivity};
+            const MatchResult here = matched(a, b, some(a), some(b), options);
+            const TriangleMesh c = shapes::moved(a, placed(scale)), d = shapes::moved(b, placed(3 / scale));
+            const MatchResult there = matched(c, d, some(c), some(d), options);
+            REQUIRE(here.skins.triangles.rows() == there.skins.triangles.rows());
+            CHECK(here.skins.triangles == there.skins.triangles);
+            CHECK((shapes::moved(here.skins.source_mesh(), placed(scale)).points - there.skins.source).rowwise().norm().maxCoeff() < 1e-9 * diagonal(c.points));
+            CHECK((shapes::moved(here.skins.target_mesh(), placed(3 / scale)).points - there.skins.target).rowwise().norm().maxCoeff() < 1e-9 * diagonal(d.points));
+        }
+}
+
+TEST_CASE("the same comes out every time, another seed makes little difference") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
+    const MatchResult once = matched(a, b, some(a), some(b)), twice = matched(a, b, some(a), some(b)), other = matched(a, b, some(a), some(b), {.seed = 7});
+    CHECK(once.skins.triangles == twice.skins.triangles);
+    CHECK(once.skins.source == twice.skins.source);
+    CHECK(once.skins.target == twice.skins.target);
+    CHECK(other.report.target.mean_back < 2 * once.report.target.mean_back + 1e-4);
+}
+
+TEST_CASE("the target's connectivity does not matter: as a soup it gives nearly the same skin") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 4);
+    const MatchOptions options{.connectivity = false};
+    const MatchResult clean = matched(a, b, some(a), some(b), options);
+    const double D = diagonal(b.points);
+    const TriangleMesh torn = shapes::soup(b, 1e-4 * D);
+    const MatchResult soup = matched(a, torn, some(a), some(b), options);
+    const double apart = (soup.skins.target - clean.skins.target).rowwise().norm().mean() / D;
+    MESSAGE("soup: mean " << apart << " of the diagonal from the clean target's skin");
+    CHECK(apart < 5e-4);
+    CHECK(soup.report.target.mean_there < clean.report.target.mean_there + 2e-4);
+    CHECK(soup.report.target_crossings == 0);
+}
+
+TEST_CASE("open models keep their borders on each other") {
+    TriangleMesh a = shapes::bumpy_sheet(24, 24), b = shapes::bumpy_sheet(31, 31);
+    for (int v = 0; v < b.vertex_count(); ++v) b.points(v, 2) += 0.15 * b.points(v, 0) * b.points(v, 0) + 0.05 * std::sin(5 * b.points(v, 1));
+    const auto corners = [](const TriangleMesh& mesh, int n) {
+        Points four(4, 3);
+        int k = 0;
+        for (const int v : {0, n, n * (n + 1), (n + 1) * (n + 1) - 1}) four.row(k++) = mesh.points.row(v);
+        return four;
+    };
+    const MatchResult result = matched(a, b, corners(a, 24), corners(b, 31));
+    CHECK(boundary_loops(result.skins.target_mesh()).size() == 1);
+    CHECK(result.report.target.mean_there < 1e-3);
+    CHECK(result.report.target.mean_back < 2e-3);
+    CHECK(result.report.target.most < 0.01);
+    CHECK(result.report.target_crossings == 0);
+}
+
+TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
+    const auto pick = [](const TriangleMesh& mesh, auto chosen) {
+        std::vector<int> list;
+        const TriangleMesh rest = figure(0, 3);
+        for (int v = 0; v < mesh.vertex_count() && list.size() < 8; ++v)
+            if (chosen(Vector3d(rest.points.row(v)))) list.push_back(v);
+        Points places(std::ssize(list), 3);
+        for (std::size_t k = 0; k < list.size(); ++k) places.row(static_cast<Eigen::Index>(k)) = mesh.points.row(list[k]);
+        return places;
+    };
+    const auto check = [&](const char* name, const Points& from, const Points& to) {
+        CAPTURE(name);
+        const MatchResult result = matched(a, b, from, to, {.fine_steps = 6});
+        CHECK(result.skins.target.allFinite());
+        CHECK(std::isfinite(result.report.target.mean_there));
+        CHECK(result.report.target.mean_there < 0.02);
+        return result.report;
+    };
+    for (const int n : {0, 1, 2, 3, 4}) (void)check("few", some(a, n), some(b, n));
+    const auto flat = [](const Vector3d& p) { return std::abs(p.z()) < 0.03; };
+    const MatchReport of_flat = check("flat", pick(a, flat), pick(b, flat));
+    CHECK(has(of_flat, "markers-flat"));
+    CHECK_FALSE(of_flat.bent);
+    const auto one_side = [](const Vector3d& p) { return p.x() > 0.6; };
+    (void)check("one side", pick(a, one_side), pick(b, one_side));
+    Points same_from(6, 3), same_to(6, 3);
+    same_from.rowwise() = a.points.row(5);
+    same_to.rowwise() = b.points.row(5);
+    (void)check("all in one place", same_from, same_to);
+}
+
+TEST_CASE("what is wrong with markers is said") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.1, 3);
+    TriangleMesh mirror = shapes::turned_inside_out(b);
+    mirror.points.col(0) *= -1;
+    const MatchOptions quick{.connectivity = false, .levels = 1, .fine_steps = 1};
+    CHECK(has(matched(a, mirror, some(a), some(mirror), quick).report, "markers-mirrored"));
+    CHECK_FALSE(has(matched(a, b, some(a), some(b), quick).report, "markers-mirrored"));
+    Points to = some(b);
+    to.row(2).swap(to.row(9));
+    const MatchReport report = matched(a, b, some(a), to, quick).report;
+    REQUIRE(has(report, "markers-swapped"));
+    Points away = 1.5 * some(a);
+    CHECK(has(matched(a, b, away, some(b), quick).report, "markers-moved"));
+}
+
+TEST_CASE("a match may be stopped at any step and still has skins and a report") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
+    const WorkingMesh s = shapes::working(a), t = shapes::working(b);
+    MatchSession session(s, t, some(a), some(b));
+    CHECK(refusal([&] { (void)session.result(); }) == "not-begun");
+    int steps = 0;
+    while (session.step())
+        if (++steps % 9 == 1) {
+            const MatchResult now = session.result();
+            CHECK(now.skins.target.allFinite());
+            CHECK(has(now.report, "stopped-early"));
+            CHECK(session.target_positions().rows() == now.skins.vertex_count());
+        }
+    CHECK_FALSE(has(session.result().report, "stopped-early"));
+    CHECK_FALSE(session.step());
+}
+
+TEST_CASE("skins do not grow beyond what is allowed, and say so") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
+    const MatchResult result = matched(a, b, some(a), some(b), {.edge_length = 0.01, .most_vertices = 900});
+    CHECK(result.skins.vertex_count() <= 900);
+    CHECK(has(result.report, "skins-full"));
+}
+
+TEST_CASE("models without area and options out of range are refused; broken models are matched") {
+    const TriangleMesh ball = shapes::bumpy_sphere(2);
+    const Points none(0, 3);
+    const WorkingMesh good = shapes::working(ball);
+    TriangleMesh line = ball;
+    line.points.rightCols(2).setZero();
+    const WorkingMesh flat = shapes::working(line);
+    CHECK(refusal([&] { MatchSession(flat, good, none, none); }) == "flat-model");
+    CHECK(refusal([&] { MatchSession(good, flat, none, none); }) == "flat-model");
+    CHECK(refusal([&] { MatchSession(good, good, none, Points::Zero(1, 3)); }) == "marker-count");
+    CHECK(refusal([&] { MatchSession(good, good, Points::Constant(1, 3, std::nan("")), Points::Zero(1, 3)); }) == "non-finite-marker");
+    for (const MatchOptions& options : {MatchOptions{.edge_length = -1}, MatchOptions{.levels = 0}, MatchOptions{.levels = 9}, MatchOptions{.fine_steps = 0}, MatchOptions{.most_vertices = -1}})
+        CHECK(refusal([&] { MatchSession(good, good, none, none, options); }) == "bad-option");
+    for (const auto& [name, broken] : shapes::eight_broken(ball)) {
+        CAPTURE(name);
+        for (const bool source : {false, true}) {
+            const MatchResult result = matched(source ? broken : ball, source ? ball : broken, none, none, {.levels = 2, .fine_steps = 6});
+            CHECK(result.skins.source.allFinite());
+            CHECK(result.skins.target.allFinite());
+        }
+    }
+}
