@@ -39,8 +39,10 @@ std::vector<Pull> Correspondences::find(const TriangleMesh& skin, const Correspo
     const Points normals = vertex_normals(skin);
     const Eigen::VectorXd shares = area_shares(skin);
     const std::vector<bool> border = surface_.has_border() ? boundary_vertices(skin) : std::vector<bool>(static_cast<std::size_t>(n), false);
+    double asked = 0;
     for (int v = 0; v < n; ++v) {
         if (!left_out.empty() && left_out[v]) continue;
+        asked += shares[v];
         const Vector3d p = skin.points.row(v), normal = normals.row(v);
         const FitSurface::Place place = border[v] ? surface_.nearest_on_border(p, rules.reach) : surface_.nearest(p, normal, rules.least_cosine, rules.reach, hints_[v]);
         if (place.triangle < 0) continue;
@@ -54,7 +56,7 @@ std::vector<Pull> Correspondences::find(const TriangleMesh& skin, const Correspo
     if (!(rules.reverse > 0) || places_.rows() == 0) return pulls;
 
     const FitSurface back(skin, {true, has_facing_});
-    const double weight = rules.reverse * n / static_cast<double>(places_.rows());
+    const double weight = rules.reverse * asked / static_cast<double>(places_.rows());
     for (Eigen::Index i = 0; i < places_.rows(); ++i) {
         const FitSurface::Place place = back.nearest(places_.row(i), facing_.row(i), rules.least_cosine, rules.reach, reverse_hints_[i]);
         if (place.triangle < 0) continue;

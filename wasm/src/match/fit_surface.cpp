@@ -31,14 +31,19 @@ Vector3d corner_weights(const TriangleMesh& mesh, int triangle, const Vector3d& 
 
 namespace {
 
-/// Every edge of one triangle as a triangle of its two ends.
-TriangleMesh rim(const TriangleMesh& mesh) {
-    TriangleMesh edges{mesh.points, Triangles(0, 3)};
-    std::vector<int> corners;
+/// Sides of edges of one triangle.
+std::vector<HalfEdge> rim(const TriangleMesh& mesh) {
+    std::vector<HalfEdge> sides;
     for_each_edge(half_edges(mesh), [&](auto first, auto last) {
-        if (last - first == 1) corners.insert(corners.end(), {first->a, first->b, first->b});
+        if (last - first == 1) sides.push_back(*first);
     });
-    edges.triangles = Eigen::Map<const Triangles>(corners.data(), std::ssize(corners) / 3, 3);
+    return sides;
+}
+
+TriangleMesh as_triangles(const Points& points, const std::vector<HalfEdge>& sides) {
+    TriangleMesh edges{Points(0, 3), Triangles(std::ssize(sides), 3)};
+    if (!sides.empty()) edges.points = points;
+    for (std::size_t k = 0; k < sides.size(); ++k) edges.triangles.row(static_cast<Eigen::Index>(k)) << sides[k].a, sides[k].b, sides[k].b;
     return edges;
 }
 
@@ -46,15 +51,18 @@ TriangleMesh rim(const TriangleMesh& mesh) {
 
 FitSurface::FitSurface(TriangleMesh mesh) : FitSurface(std::move(mesh), Rules{}) {}
 
-FitSurface::FitSurface(TriangleMesh mesh, const Rules& rules)
-    : mesh_(std::move(mesh)), rules_(rules), normals_(triangle_normals(mesh_)), vertex_normals_(vertex_normals(mesh_)), border_(rules.borders ? rim(mesh_) : TriangleMesh{Points(0, 3), Triangles(0, 3)}),
-      border_edge_(static_cast<std::size_t>(3 * mesh_.triangle_count()), 0), border_vertex_(static_cast<std::size_t>(mesh_.vertex_count()), 0), tree_(mesh_), border_tree_(border_) {
-    if (!has_border()) return;
-    for_each_edge(half_edges(mesh_), [&](auto first, auto last) {
-        if (last - first != 1) return;
-        border_edge_[3 * first->triangle + (first->corner + 2) % 3] = 1;
-        border_vertex_[first->a] = border_vertex_[first->b] = 1;
-    });
+FitSurface::FitSurface(TriangleMesh mesh, const Rules& rules) : FitSurface(std::move(mesh), rules, {}) {}
+
+FitSurface::FitSurface(TriangleMesh mesh, const Rules& rules, std::vector<HalfEdge> sides)
+    : mesh_(std::move(mesh)), rules_(rules), normals_(triangle_normals(mesh_)), vertex_normals_(vertex_normals(mesh_)),
+      border_(as_triangles(mesh_.points, sides = rules.borders ? rim(mesh_) : std::vector<HalfEdge>{})), tree_(mesh_), border_tree_(border_) {
+    if (sides.empty()) return;
+    border_edge_.assign(static_cast<std::size_t>(3 * mesh_.triangle_count()), 0);
+    border_vertex_.assign(static_cast<std::size_t>(mesh_.vertex_count()), 0);
+    for (const HalfEdge& side : sides) {
+        border_edge_[3 * side.triangle + (side.corner + 2) % 3] = 1;
+        border_vertex_[side.a] = border_vertex_[side.b] = 1;
+    }
 }
 
 FitSurface::Place FitSurface::nearest(const Vector3d& p, const Vector3d& normal, double least_cosine, double reach, int hint) const {

@@ -4,6 +4,7 @@
 #include "lissom/match/correspondences.h"
 #include "lissom/match/fine_fit.h"
 #include "lissom/match/folds.h"
+#include "lissom/mesh/chance.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/operators.h"
@@ -37,12 +38,13 @@ constexpr CarrySchedule k_marked{0.12, 12, 0.15, 0.06, 0.3}, k_unmarked{0.2, 8, 
 constexpr int k_fewest_markers = 3; // to turn by
 constexpr double k_first_stiffness = 5, k_next_stiffness = 0.3, k_last_stiffness = 0.02;
 constexpr double k_marker_pull = 30; // vertices
-constexpr int k_samples = 6000;
+constexpr int k_most_asked = 6000; // vertices, and samples, that the finest graph is carried by; each coarser one by half as many
 constexpr int k_most_nodes = 3000;
 
 constexpr double k_fine_first = 20, k_fine_last = 0.3;
 constexpr double k_fine_reach = 0.03, k_fine_cosine = 0.4;
 constexpr int k_before_connectivity = 2, k_after_connectivity = 3; // fine steps without
+constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth another pass
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
@@ -110,7 +112,8 @@ struct MatchSession::State {
     Points rest{}; ///< the target's skin before it was carried
     std::optional<NodeGraph> graph{};
     std::optional<AffineFit> affine{};
-    std::optional<Correspondences> correspondences;
+    std::optional<Correspondences> correspondences{};
+    int asked = 0; ///< vertices, and samples, by which the present graph is carried
     std::optional<FineFit> fine{};
     std::optional<GuardedStep> guard{};
     ConnectivityOptions edges{};
@@ -125,8 +128,7 @@ struct MatchSession::State {
 
     State(const WorkingMesh& a, const WorkingMesh& b, const Points& source_markers, const Points& target_markers, const MatchOptions& o)
         : options(o), source(a, "source"), target(b, "target"), source_surface(source.mesh, source.rules()), target_surface(target.mesh, target.rules()),
-          from(source.inwards(source_markers)), to(target.inwards(target_markers)),
-          correspondences(std::in_place, target_surface, sample_surface(target.mesh, k_samples, o.seed), b.oriented) {}
+          from(source.inwards(source_markers)), to(target.inwards(target_markers)) {}
 
     [[nodiscard]] int carry_iterations() const { return options.levels * schedule.iterations; }
 
@@ -188,6 +190,8 @@ struct MatchSession::State {
         // So many nodes that a finer graph would not be worth its factor: their number falls with the square of the radius.
         const double least = std::sqrt(triangle_areas(source.mesh).sum() / (0.7 * k_most_nodes));
         const double radius = std::max(schedule.radius * std::pow(0.5, level), least);
+        asked = k_most_asked >> (options.levels - 1 - level);
+        correspondences.emplace(target_surface, sample_surface(target.mesh, asked, options.seed), target.working.oriented);
         graph.emplace(edge_graph(skins.source_mesh()), radius, options.seed);
         affine.emplace(rest, skins.triangles, *graph, skins.target);
     }
@@ -196,9 +200,13 @@ struct MatchSession::State {
         const int level = iteration / schedule.iterations, k = iteration % schedule.iterations;
         if (k == 0) begin_level(level);
         CorrespondenceRules rules{schedule.least_cosine, eased(schedule.first_reach, schedule.last_reach, along(iteration, carry_iterations()))};
-        std::vector<Pull> pulls = correspondences->find(skins.target_mesh(), rules, locked());
+        // A node has enough of some vertices.
+        const double share = std::min(1.0, static_cast<double>(asked) / skins.vertex_count());
+        std::vector<char> left_out = locked();
+        for (int v = 0; v < skins.vertex_count(); ++v) left_out[v] = left_out[v] || chance(options.seed, static_cast<std::uint64_t>(v), 1) >= share;
+        std::vector<Pull> pulls = correspondences->find(skins.target_mesh(), rules, left_out);
         for (int v = 0; v < skins.vertex_count(); ++v)
-            if (skins.marker[v] >= 0) pulls.push_back(Pull::of_vertex(v, to.row(skins.marker[v]).transpose(), k_marker_pull));
+            if (skins.marker[v] >= 0) pulls.push_back(Pull::of_vertex(v, to.row(skins.marker[v]).transpose(), share * k_marker_pull));
         const double stiffness = eased(level == 0 ? k_first_stiffness : k_next_stiffness, k_last_stiffness, along(k, schedule.iterations));
         if (!pulls.empty()) skins.target = affine->solve(pulls, stiffness);
         if (++iteration < carry_iterations()) return;
@@ -252,7 +260,7 @@ struct MatchSession::State {
         changes.splits += change.splits;
         changes.collapses += change.collapses;
         changes.swaps += change.swaps;
-        settled = !change.any();
+        settled = change.splits + change.collapses + change.swaps <= k_settled * 3 * skins.vertex_count();
         full = full || skins.vertex_count() >= edges.most_vertices;
         // Edits may have made a few triangles meet. More than a few rounds would smooth away what is meant to be thin.
         mend(skins.source, k_mending_rounds);

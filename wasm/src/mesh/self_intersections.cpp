@@ -16,6 +16,34 @@ using Corners = std::array<Vector3d, 3>;
 
 namespace {
 
+/// How far rounding can carry a sum of products of coordinates, as a share of the largest of them; generous.
+constexpr double k_rounding = 1e-13;
+
+/// Whether points lie on the outer side of one of a triangle's sides, or on one side of its plane, by more than rounding: then they do not meet it.
+/// Tells most of the triangles apart that lie in one plane, where exact signs are slow to find.
+template <std::size_t N>
+bool clearly_beyond(const std::array<Vector3d, N>& points, const Corners& t) {
+    double size = 0; // of the coordinates: what differences are rounded by
+    for (const Vector3d& p : points) size = std::max(size, p.cwiseAbs().maxCoeff());
+    for (const Vector3d& p : t) size = std::max(size, p.cwiseAbs().maxCoeff());
+    const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const auto all_beyond = [&](const Vector3d& outwards, const Vector3d& from) {
+        const double least = k_rounding * size * outwards.cwiseAbs().maxCoeff();
+        return std::all_of(points.begin(), points.end(), [&](const Vector3d& p) { return outwards.dot(p - from) > least; });
+    };
+    if (all_beyond(normal, t[0]) || all_beyond(-normal, t[0])) return true;
+    for (int k = 0; k < 3; ++k)
+        if (all_beyond((t[(k + 1) % 3] - t[k]).cross(normal), t[k])) return true;
+    return false;
+}
+
+/// Whether both lie in the plane of a triangle but for rounding.
+bool in_plane(const Vector3d& p, const Vector3d& q, const Corners& t) {
+    const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
+    const double size = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), t[0].cwiseAbs().maxCoeff()});
+    return std::max(std::abs(normal.dot(p - t[0])), std::abs(normal.dot(q - t[0]))) <= k_rounding * size * normal.cwiseAbs().maxCoeff();
+}
+
 bool segments_meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
     const int abc = orient2d(a, b, c), abd = orient2d(a, b, d), cda = orient2d(c, d, a), cdb = orient2d(c, d, b);
     if (abc * abd < 0 && cda * cdb < 0) return true;
@@ -82,6 +110,7 @@ bool edge_meets(const Corners& a, const std::array<int, 3>& side, const Corners&
 /// Of triangles with the corner `i` of `a` in common: whether the side of `a` opposite it goes through `b`.
 bool opposite_side_meets(const Corners& a, int i, const Corners& b) {
     const Vector3d &p = a[(i + 1) % 3], &q = a[(i + 2) % 3];
+    if (clearly_beyond(std::array{p, q}, b) || in_plane(p, q, b)) return false;
     const int sp = orient3d(b[0], b[1], b[2], p), sq = orient3d(b[0], b[1], b[2], q);
     return sp * sq <= 0 && (sp != 0 || sq != 0) && segment_meets(p, q, b);
 }
@@ -198,6 +227,7 @@ Corners corners(const Triangles& triangles, const Points& points, int t) {
 } // namespace
 
 bool triangles_meet(const Corners& a, const Corners& b) {
+    if (clearly_beyond(a, b) || clearly_beyond(b, a)) return false;
     std::array<int, 3> of_a, of_b;
     for (int k = 0; k < 3; ++k) of_a[k] = orient3d(b[0], b[1], b[2], a[k]);
     const auto alike = [](const std::array<int, 3>& side) { return side[0] == side[1] && side[1] == side[2]; };

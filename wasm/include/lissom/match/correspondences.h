@@ -11,7 +11,7 @@ namespace lissom {
 struct CorrespondenceRules {
     double least_cosine = 0.3; ///< between the normals of skin and surface
     double reach = 0.15;       ///< farther places do not count
-    double reverse = 0.5;      ///< weight of all samples of the surface together, as a share of that of all vertices; 0: none
+    double reverse = 0.5;      ///< weight of all samples of the surface together, as a share of that of all vertices asked about; 0: none
 };
 
 /// Where the places of a skin should go, asked again as the skin moves.
@@ -23,7 +23,7 @@ struct CorrespondenceRules {
 class Correspondences {
 public:
     /// @param surface  kept by reference
-    /// @param samples  of it
+    /// @param samples  of it, for the way back
     /// @param facing   false: normals say nothing
     Correspondences(const FitSurface& surface, const SurfaceSamples& samples, bool facing = true);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/triangle_tree.h"
 #include "lissom/mesh/types.h"
 
@@ -44,11 +45,13 @@ public:
     [[nodiscard]] const Points& normals() const { return normals_; } ///< of triangles, unit; zero without area
 
 private:
+    FitSurface(TriangleMesh mesh, const Rules& rules, std::vector<HalfEdge> sides);
+
     TriangleMesh mesh_;
     Rules rules_;
     Points normals_, vertex_normals_;
     TriangleMesh border_;           ///< each edge of the rim as a triangle (a, b, b)
-    std::vector<char> border_edge_; ///< of side 3 t + k, opposite corner k
+    std::vector<char> border_edge_; ///< of side 3 t + k, opposite corner k; empty without a rim
     std::vector<char> border_vertex_;
     TriangleTree tree_, border_tree_;
 };

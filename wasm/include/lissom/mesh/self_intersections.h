@@ -28,7 +28,7 @@ class IntersectionFinder {
 public:
     enum class Neighbours {
         left_out, ///< as `self_intersections`
-        looked_at ///< triangles with one common vertex count too where the side opposite it goes through the other triangle
+        looked_at ///< triangles with one common vertex count too where the side opposite it goes through the other triangle; not where they lie in one plane but for rounding
     };
 
     /// @param mesh  where the surface is at first; only its triangles are kept

@@ -72,36 +72,41 @@ TriangleTree::Nearest TriangleTree::nearest_where(const Eigen::Vector3d& p, doub
     if (order_.empty() || !p.allFinite()) return best;
     double least = reach * reach;
     const auto look_at = [&](int t) {
+        if (!accepts(t)) return;
         const auto corners = mesh().triangles.row(t);
         const NearestOnTriangle at = nearest_on_triangle(p, mesh().points.row(corners[0]), mesh().points.row(corners[1]), mesh().points.row(corners[2]));
         const double squared = (at.point - p).squaredNorm();
-        if (!(squared < least || (squared == least && (best.triangle < 0 || t < best.triangle))) || !accepts(t)) return;
+        if (!(squared < least || (squared == least && (best.triangle < 0 || t < best.triangle)))) return;
         least = squared;
         best = {t, std::sqrt(squared), at.point, at.feature};
     };
     if (hint >= 0) look_at(hint);
-    std::array<std::pair<std::size_t, std::size_t>, 72> open; // a path down and a sibling a level: no more than two a bit of an index
+    // Without branches, and once for each box.
+    const auto squared_distance = [&](const Box& box) { return (box.min() - p).cwiseMax(p - box.max()).cwiseMax(0.0).squaredNorm(); };
+    struct Open {
+        std::size_t level, block;
+        double squared;
+    };
+    std::array<Open, 72> open; // a path down and a sibling a level: no more than two a bit of an index
     std::size_t count = 0;
-    open[count++] = {levels_.size() - 1, 0};
+    open[count++] = {levels_.size() - 1, 0, 0};
     while (count > 0) {
-        const auto [level, block] = open[--count];
-        if (levels_[level][block].isEmpty() || levels_[level][block].squaredExteriorDistance(p) > least) continue;
+        const auto [level, block, squared] = open[--count];
+        if (squared > least) continue;
         if (level == 0) {
             const std::size_t end = std::min((block + 1) * k_leaf, order_.size());
             for (std::size_t i = block * k_leaf; i < end; ++i)
                 if (order_[i] != hint) look_at(order_[i]);
             continue;
         }
-        // The nearer child is looked at first: it goes on the stack last.
         const std::vector<Box>& below = levels_[level - 1];
         const std::size_t a = 2 * block, b = a + 1;
-        if (b >= below.size()) {
-            open[count++] = {level - 1, a};
-            continue;
-        }
-        const bool a_first = below[a].squaredExteriorDistance(p) <= below[b].squaredExteriorDistance(p);
-        open[count++] = {level - 1, a_first ? b : a};
-        open[count++] = {level - 1, a_first ? a : b};
+        const double to_a = squared_distance(below[a]), to_b = b < below.size() ? squared_distance(below[b]) : std::numeric_limits<double>::infinity();
+        // The nearer child is looked at first: it goes on the stack last.
+        const bool a_first = to_a <= to_b;
+        const Open nearer = a_first ? Open{level - 1, a, to_a} : Open{level - 1, b, to_b}, farther = a_first ? Open{level - 1, b, to_b} : Open{level - 1, a, to_a};
+        if (farther.squared <= least && farther.block < below.size()) open[count++] = farther;
+        if (nearer.squared <= least) open[count++] = nearer;
     }
     return best;
 }
