@@ -99,7 +99,7 @@ void check(const MatchOptions& o) {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { start, carry, untangle, fine, project, done };
+    enum class Stage { start, carry, untangle, fine, edges, relax, project, done };
 
     MatchOptions options;
     Placed source, target;
@@ -238,7 +238,6 @@ struct MatchSession::State {
     }
 
     void fit_finely() {
-        Stopwatch watch;
         if (!fine) fine.emplace(skins.target_mesh());
         const CorrespondenceRules rules{k_fine_cosine, k_fine_reach, 0};
         const auto pulls = correspondences->find(skins.target_mesh(), rules, locked());
@@ -246,16 +245,17 @@ struct MatchSession::State {
         for (int v = 0; v < skins.vertex_count(); ++v)
             if (skins.marker[v] >= 0) held.push_back({v, to.row(skins.marker[v]).transpose()});
         take_step(skins.target + fine->solve(skins.target, pulls, held, eased(k_fine_first, k_fine_last, along(iteration, options.fine_steps))));
-        seconds.fine += watch.lap();
-        if (options.connectivity && !settled && iteration >= k_before_connectivity && iteration < options.fine_steps - k_after_connectivity) {
-            change_connectivity();
-            seconds.connectivity += watch.lap();
-        }
-        if (++iteration < options.fine_steps) return;
-        next(Stage::project);
+        const bool edits = options.connectivity && !settled && iteration >= k_before_connectivity && iteration < options.fine_steps - k_after_connectivity;
+        if (edits) stage = Stage::edges;
+        else end_fine_step();
     }
 
-    void change_connectivity() {
+    void end_fine_step() {
+        stage = Stage::fine;
+        if (++iteration == options.fine_steps) next(Stage::project);
+    }
+
+    void change_edges() {
         const ConnectivityChange change = improve_connectivity(skins, edges);
         changes.splits += change.splits;
         changes.collapses += change.collapses;
@@ -267,11 +267,16 @@ struct MatchSession::State {
         mend(skins.target, k_mending_rounds);
         fine.reset();
         guard.reset();
+        stage = Stage::relax;
+    }
+
+    void relax() {
         SkinPair relaxed = skins;
         relax_tangentially(relaxed);
         take_step(relaxed.target);
         GuardedStep of_source(skins.source_mesh());
         take_step(of_source, skins.source, on_surface(source_surface, relaxed.source_mesh(), k_back_cosine));
+        end_fine_step();
     }
 
     /// Each vertex at its nearest place of the surface that faces as it does; markers stay.
@@ -314,7 +319,18 @@ struct MatchSession::State {
             next(Stage::fine);
             seconds.fine += watch.lap();
             break;
-        case Stage::fine: fit_finely(); break;
+        case Stage::fine:
+            fit_finely();
+            seconds.fine += watch.lap();
+            break;
+        case Stage::edges:
+            change_edges();
+            seconds.connectivity += watch.lap();
+            break;
+        case Stage::relax:
+            relax();
+            seconds.connectivity += watch.lap();
+            break;
         case Stage::project:
             project();
             seconds.fine += watch.lap();
@@ -395,7 +411,9 @@ double MatchSession::fraction() const {
     case State::Stage::start: return 0;
     case State::Stage::carry: return carried * s.iteration / s.carry_iterations();
     case State::Stage::untangle: return carried;
-    case State::Stage::fine: return carried + (fitted - carried) * s.iteration / s.options.fine_steps;
+    case State::Stage::fine:
+    case State::Stage::edges:
+    case State::Stage::relax: return carried + (fitted - carried) * s.iteration / s.options.fine_steps;
     case State::Stage::project: return fitted + (1 - fitted) * s.iteration / k_projections;
     case State::Stage::done: break;
     }
