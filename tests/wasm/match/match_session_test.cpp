@@ -64,7 +64,7 @@ bool has(const MatchReport& report, const std::string& code) {
 TEST_CASE("a model matched to itself is itself, with and without changes of edges") {
     const TriangleMesh mesh = figure(0, 3);
     for (const bool connectivity : {false, true})
-        for (const int count : {0, 3, 12}) {
+        for (const int count : {0, 12}) {
             CAPTURE(count);
             const MatchResult result = matched(mesh, mesh, some(mesh, count), some(mesh, count), {.connectivity = connectivity});
             const double D = diagonal(mesh.points);
@@ -117,22 +117,22 @@ TEST_CASE("what lies between markers corresponds: vertices find their own image"
 
 TEST_CASE("scaling, turning and moving either model goes along") {
     const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
-    for (const bool connectivity : {false, true})
-        for (const double scale : {1e-4, 1e4}) {
-            const MatchOptions options{.connectivity = connectivity};
-            const MatchResult here = matched(a, b, some(a), some(b), options);
-            const TriangleMesh c = shapes::moved(a, placed(scale)), d = shapes::moved(b, placed(3 / scale));
-            const MatchResult there = matched(c, d, some(c), some(d), options);
-            REQUIRE(here.skins.triangles.rows() == there.skins.triangles.rows());
-            CHECK(here.skins.triangles == there.skins.triangles);
-            CHECK((shapes::moved(here.skins.source_mesh(), placed(scale)).points - there.skins.source).rowwise().norm().maxCoeff() < 1e-9 * diagonal(c.points));
-            CHECK((shapes::moved(here.skins.target_mesh(), placed(3 / scale)).points - there.skins.target).rowwise().norm().maxCoeff() < 1e-9 * diagonal(d.points));
-        }
+    const MatchResult here = matched(a, b, some(a), some(b));
+    CHECK(here.report.connectivity.any());
+    for (const double scale : {1e-4, 1e4}) {
+        const TriangleMesh c = shapes::moved(a, placed(scale)), d = shapes::moved(b, placed(3 / scale));
+        const MatchResult there = matched(c, d, some(c), some(d));
+        REQUIRE(here.skins.triangles.rows() == there.skins.triangles.rows());
+        CHECK(here.skins.triangles == there.skins.triangles);
+        CHECK((shapes::moved(here.skins.source_mesh(), placed(scale)).points - there.skins.source).rowwise().norm().maxCoeff() < 1e-9 * diagonal(c.points));
+        CHECK((shapes::moved(here.skins.target_mesh(), placed(3 / scale)).points - there.skins.target).rowwise().norm().maxCoeff() < 1e-9 * diagonal(d.points));
+    }
 }
 
 TEST_CASE("the same comes out every time, another seed makes little difference") {
     const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
-    const MatchResult once = matched(a, b, some(a), some(b)), twice = matched(a, b, some(a), some(b)), other = matched(a, b, some(a), some(b), {.seed = 7});
+    const MatchResult once = matched(a, b, some(a), some(b), {.levels = 2, .fine_steps = 7}), twice = matched(a, b, some(a), some(b), {.levels = 2, .fine_steps = 7}),
+                      other = matched(a, b, some(a), some(b), {.levels = 2, .fine_steps = 7, .seed = 7});
     CHECK(once.skins.triangles == twice.skins.triangles);
     CHECK(once.skins.source == twice.skins.source);
     CHECK(once.skins.target == twice.skins.target);
@@ -183,7 +183,7 @@ TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
     };
     const auto check = [&](const char* name, const Points& from, const Points& to) {
         CAPTURE(name);
-        const MatchResult result = matched(a, b, from, to, {.fine_steps = 6});
+        const MatchResult result = matched(a, b, from, to, {.levels = 2, .fine_steps = 4});
         CHECK(result.skins.target.allFinite());
         CHECK(std::isfinite(result.report.target.mean_there));
         CHECK(result.report.target.mean_there < 0.02);
@@ -224,7 +224,7 @@ TEST_CASE("a match may be stopped at any step and still has skins and a report")
     CHECK(refusal([&] { (void)session.result(); }) == "not-begun");
     int steps = 0;
     while (session.step())
-        if (++steps % 9 == 1) {
+        if (++steps % 25 == 1) {
             const MatchResult now = session.result();
             CHECK(now.skins.target.allFinite());
             CHECK(has(now.report, "stopped-early"));

@@ -190,7 +190,7 @@ struct MatchSession::State {
         // So many nodes that a finer graph would not be worth its factor: their number falls with the square of the radius.
         const double least = std::sqrt(triangle_areas(source.mesh).sum() / (0.7 * k_most_nodes));
         const double radius = std::max(schedule.radius * std::pow(0.5, level), least);
-        asked = k_most_asked >> (options.levels - 1 - level);
+        asked = std::min(k_most_asked, 2 * skins.vertex_count()) >> (options.levels - 1 - level);
         correspondences.emplace(target_surface, sample_surface(target.mesh, asked, options.seed), target.working.oriented);
         graph.emplace(edge_graph(skins.source_mesh()), radius, options.seed);
         affine.emplace(rest, skins.triangles, *graph, skins.target);
