@@ -26,6 +26,9 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   isolineCurves: 'with its worker', // 0.1 s
   prepareTransfer: 'in slices', // 1 s
   transfer: 'with its worker', // 0.3 s a pose
+  match: 'in slices', // 1 s, a pass over edges or a step that is guarded
+  carryPlaces: 'with its worker', // 0.2 s
+  guessPlace: 'with its worker', // 0.3 s
   prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices

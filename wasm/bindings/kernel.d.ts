@@ -6,6 +6,7 @@ import type { CurveModule } from './curve';
 import type { DeformModule } from './deform';
 import type { HairModule } from './hair';
 import type { IsolineModule } from './isoline';
+import type { MatchModule } from './match';
 import type { MergeModule } from './merge';
 import type { ModelModule } from './model';
 import type { SketchModule } from './sketch';
@@ -19,6 +20,7 @@ export interface KernelModule
     MergeModule,
     HairModule,
     TransferModule,
+    MatchModule,
     CurveModule,
     SketchModule,
     ContourModule {}

@@ -1,5 +1,5 @@
 import { cancelled, LissomError } from '../core/errors';
-import type { Args, CallOptions, KernelId, KernelPort, Method, Result } from './contract';
+import type { Args, CallOptions, KernelId, KernelPort, Look, Method, Result } from './contract';
 import { notLoaded, toError, workerRestarted } from './failures';
 import type { Failure, Reply, Request } from './messages';
 
@@ -21,6 +21,7 @@ interface Pending {
   readonly resolve: (result: never) => void;
   readonly reject: (error: LissomError) => void;
   readonly onProgress: ((fraction: number) => void) | undefined;
+  readonly onLook: ((look: Look) => void) | undefined;
   /** Stops listening to the caller's signal. */
   detach: () => void;
   begun: boolean;
@@ -52,7 +53,7 @@ export class KernelClient implements KernelPort {
   }
 
   call<M extends Method>(method: M, args: Args<M>, options: CallOptions = {}): Promise<Result<M>> {
-    const { signal, onProgress, moved = [] } = options;
+    const { signal, onProgress, onLook, moved = [] } = options;
     if (signal?.aborted) return Promise.reject(cancelled());
     if (this.#disposed) return Promise.reject(workerRestarted());
     const worker = this.#worker ?? this.#start();
@@ -65,9 +66,17 @@ export class KernelClient implements KernelPort {
         clearTimeout(silence);
         signal?.removeEventListener('abort', onAbort);
       };
-      this.#pending.set(id, { resolve, reject, onProgress, detach, begun: false, cancelled: false });
+      this.#pending.set(id, {
+        resolve,
+        reject,
+        onProgress,
+        onLook,
+        detach,
+        begun: false,
+        cancelled: false,
+      });
       try {
-        worker.postMessage({ id, method, args } as Request, moved);
+        worker.postMessage({ id, method, args, ...(onLook && { looks: true }) } as Request, moved);
       } catch (error) {
         this.#take(id);
         reject(new LissomError('kernel-crash', `The request could not be sent (${error}).`, 'crash'));
@@ -144,6 +153,7 @@ export class KernelClient implements KernelPort {
     if ('ready' in reply) this.#ready = true;
     else if ('unusable' in reply) this.#fail(reply.unusable);
     else if ('progress' in reply) this.#progress(reply.id, reply.progress);
+    else if ('look' in reply) this.#look(reply.id, reply.look);
     else if ('error' in reply) {
       this.#take(reply.id)?.reject(toError(reply.error));
       if (reply.error.fatal && this.#worker) this.#replace(this.#worker);
@@ -163,6 +173,11 @@ export class KernelClient implements KernelPort {
     if (!pending) return;
     pending.begun = true;
     if (!pending.cancelled) pending.onProgress?.(fraction);
+  }
+
+  #look(id: number, look: Look): void {
+    const pending = this.#pending.get(id);
+    if (pending && !pending.cancelled) pending.onLook?.(look);
   }
 
   /** An answer that crossed its cancellation: nobody will release what it made, so we do. */

@@ -6,12 +6,15 @@ import type { CurveKernel } from './contract/curve';
 import type { DeformKernel } from './contract/deform';
 import type { HairKernel } from './contract/hair';
 import type { IsolineKernel } from './contract/isoline';
+import type { GrowingSkins, MatchKernel } from './contract/match';
 import type { MergeKernel } from './contract/merge';
 import type { KernelId, ModelKernel } from './contract/model';
 import type { SketchKernel } from './contract/sketch';
 import type { TransferKernel } from './contract/transfer';
 
 export type { KernelId };
+/** What can be seen of work under way. */
+export type Look = GrowingSkins;
 
 /** One line per wing: the registry of the bridge. */
 export interface Kernel
@@ -21,6 +24,7 @@ export interface Kernel
     MergeKernel,
     HairKernel,
     TransferKernel,
+    MatchKernel,
     CurveKernel,
     SketchKernel,
     ContourKernel {}
@@ -33,6 +37,8 @@ export interface CallOptions {
   readonly signal?: AbortSignal;
   /** In [0, 1], at most every 50 ms. */
   readonly onProgress?: (fraction: number) => void;
+  /** Sees what is being made before it is done, from the methods that have something to see. */
+  readonly onLook?: (look: Look) => void;
   /** Buffers of the arguments that may be moved instead of copied; they are empty afterwards. */
   readonly moved?: Transferable[];
 }

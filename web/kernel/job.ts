@@ -1,20 +1,33 @@
 import { cancelled } from '../core/errors';
+import type { Look } from './contract';
 
 /** Milliseconds of work between two looks at the mailbox: short beside the eye, long beside the yield. */
 const SLICE = 25;
 /** Milliseconds between two progress messages. */
 const PROGRESS_INTERVAL = 50;
+/** Milliseconds between two looks: they are copied and drawn. */
+const LOOK_INTERVAL = 250;
 
 /** A request under way, as its handler sees it. */
 export class Job {
   #reported: number;
+  #shown: number;
 
   constructor(
     readonly signal: AbortSignal,
     private readonly report: (fraction: number) => void,
     private readonly now: () => number = () => performance.now(),
+    private readonly show?: (look: Look) => void,
   ) {
     this.#reported = now();
+    this.#shown = this.#reported;
+  }
+
+  /** Shows what is being made, where somebody looks and it is time for it. */
+  look(seen: () => Look): void {
+    if (!this.show || this.now() - this.#shown < LOOK_INTERVAL) return;
+    this.show(seen());
+    this.#shown = this.now();
   }
 
   /** Between two slices of long work: reports, lets waiting messages in, throws if the caller gave up. */
@@ -28,12 +41,13 @@ export class Job {
     if (this.signal.aborted) throw cancelled();
   }
 
-  /** Runs `step` until it returns false, with a checkpoint after every slice. */
-  async advance(step: () => boolean, fraction: () => number): Promise<void> {
+  /** Runs `step` until it returns false, with a checkpoint after every slice, and a look where there is one to have. */
+  async advance(step: () => boolean, fraction: () => number, seen?: () => Look): Promise<void> {
     for (let more = true; more; ) {
       const end = this.now() + SLICE;
       do more = step();
       while (more && this.now() < end);
+      if (seen && more) this.look(seen);
       await this.checkpoint(fraction());
     }
   }

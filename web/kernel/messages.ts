@@ -1,10 +1,10 @@
 // What travels between page and worker; derived from the contract, so nothing is listed twice.
 
 import type { Fault } from '../core/errors';
-import type { Args, Method, Result } from './contract';
+import type { Args, Look, Method, Result } from './contract';
 
 export type Call = {
-  [M in Method]: { readonly id: number; readonly method: M; readonly args: Args<M> };
+  [M in Method]: { readonly id: number; readonly method: M; readonly args: Args<M>; readonly looks?: true };
 }[Method];
 
 export type Request =
@@ -25,6 +25,7 @@ export type Reply =
   | { readonly unusable: Failure }
   /** The first one, always 0, says that the request has begun. */
   | { readonly id: number; readonly progress: number }
+  | { readonly id: number; readonly look: Look }
   | { readonly id: number; readonly result: Result<Method> }
   | { readonly id: number; readonly error: Failure };
 

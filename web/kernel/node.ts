@@ -24,13 +24,14 @@ class NodeKernel implements KernelPort {
   }
 
   async call<M extends Method>(method: M, args: Args<M>, options: CallOptions = {}): Promise<Result<M>> {
-    const { signal = new AbortController().signal, onProgress } = options;
+    const { signal = new AbortController().signal, onProgress, onLook } = options;
     const epoch = this.#epoch;
     try {
       this.#handlers ??= instantiate(this.compiled).then((wasm) => createHandlers(wasm, epoch));
       const handlers = await this.#handlers;
       if (signal.aborted) throw cancelled();
-      return await handlers[method](args, new Job(signal, (fraction) => onProgress?.(fraction)));
+      const job = new Job(signal, (fraction) => onProgress?.(fraction), undefined, onLook);
+      return await handlers[method](args, job);
     } catch (thrown) {
       const failure = failureOf(thrown);
       if (failure.fatal && epoch === this.#epoch) {

@@ -1,5 +1,5 @@
 import { cancelled } from '../core/errors';
-import type { Args, Kernel, Method, Result } from './contract';
+import type { Args, Kernel, Look, Method, Result } from './contract';
 import { failureOf } from './failures';
 import { breathe, Job } from './job';
 import type { Call, Port, Reply, Request } from './messages';
@@ -32,12 +32,13 @@ export function serve(port: Port, load: (epoch: number) => Promise<Handlers>): v
     pumping = false;
   }
 
-  async function answer({ id, method, args }: Call, by: Handlers): Promise<void> {
+  async function answer({ id, method, args, looks }: Call, by: Handlers): Promise<void> {
     const signal = aborts.get(id)?.signal as AbortSignal;
     try {
       if (signal.aborted) throw cancelled();
       reply({ id, progress: 0 });
-      const job = new Job(signal, (progress) => reply({ id, progress }));
+      const show = looks && ((look: Look) => reply({ id, look }));
+      const job = new Job(signal, (progress) => reply({ id, progress }), undefined, show);
       const handler = by[method] as (
         args: Args<Method>,
         job: Job,

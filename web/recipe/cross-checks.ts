@@ -17,11 +17,16 @@ export const outputExtensions = (type: StepType): readonly string[] =>
 export function crossCheck(recipe: Recipe): void {
   const known = new Set(Object.keys(recipe.models));
   const made = new Set<string>();
+  /** Steps so far that leave several models. */
+  const sets = new Set<string>();
   const taken = new Set(known);
   for (const [at, step] of recipe.steps.entries()) {
-    for (const { path, name } of referencesOf(step))
-      if (!known.has(name))
-        throw recipeError(pathText(['steps', at, ...path]), lost(name, recipe, at, known));
+    for (const { path, name, several } of referencesOf(step))
+      if (!(several ? sets : known).has(name))
+        throw recipeError(
+          pathText(['steps', at, ...path]),
+          several ? noSet(name, recipe, at, sets) : lost(name, recipe, at, known),
+        );
     const double = [...namesOf(step)].find((name) => taken.has(name));
     if (double !== undefined) {
       const what = Object.hasOwn(recipe.models, double) ? 'a model' : 'an earlier step';
@@ -31,6 +36,7 @@ export function crossCheck(recipe: Recipe): void {
       );
     }
     for (const name of namesOf(step)) taken.add(name);
+    if (stepRow(step.type).writes === 'meshes') sets.add(step.id);
     for (const name of producedNames(step)) {
       known.add(name);
       made.add(name);
@@ -74,6 +80,14 @@ function lost(name: string, recipe: Recipe, at: number, known: ReadonlySet<strin
   return (
     several(name, recipe) ?? `there is no model or earlier step ${quoted(name)}; there are ${listed(known)}.`
   );
+}
+
+function noSet(name: string, recipe: Recipe, at: number, sets: ReadonlySet<string>): string {
+  const { steps, models } = recipe;
+  const found = steps.findIndex((step) => namesOf(step).has(name));
+  if (found >= at) return lost(name, recipe, at, sets);
+  const what = found >= 0 ? 'leaves one model' : Object.hasOwn(models, name) ? 'is a model' : 'is not there';
+  return `${quoted(name)} ${what}; name an earlier step that leaves several: ${listed(sets)}.`;
 }
 
 /** What to say where a step is named that leaves several models. */

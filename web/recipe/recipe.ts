@@ -8,6 +8,7 @@ import { type StepRow, stepType } from './step-row';
 import { curvesStep } from './steps/curves';
 import { deformStep } from './steps/deform';
 import { hairStep } from './steps/hair';
+import { matchStep } from './steps/match';
 import { mergeStep } from './steps/merge';
 import { transferStep } from './steps/transfer';
 
@@ -21,6 +22,12 @@ export const STEP_TYPES = {
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
   transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
   curves: stepType(curvesStep, { main: 'model', writes: 'mesh', skin: true, workspace: 'curves' }),
+  match: stepType(matchStep, {
+    main: 'models',
+    writes: 'meshes',
+    workspace: null,
+    outputs: ({ models }) => models,
+  }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */
@@ -70,6 +77,7 @@ export type ModelRef = v.InferOutput<typeof modelRef>;
 export type { CurvesStep } from './steps/curves';
 export type { DeformHandle, DeformStep } from './steps/deform';
 export type { HairStep } from './steps/hair';
+export type { MatchStep } from './steps/match';
 export type { MergeStep } from './steps/merge';
 export type { TransferStep } from './steps/transfer';
 

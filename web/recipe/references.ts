@@ -1,22 +1,25 @@
 // Who names whom: what a step starts from, and the names of what it leaves.
 
 import { type Recipe, type Step, stepRow } from './recipe';
-import { reference } from './schema-parts';
+import { reference, severalReference } from './schema-parts';
 
 /** One place where a step names a model or an earlier step. */
 export interface Reference {
   readonly path: readonly (string | number)[];
   readonly name: string;
+  /** Of a step that leaves several models: all of them. */
+  readonly several?: true;
 }
 
-/** The references of a step, found through its schema: fields declared as `reference` or as a list of them. */
+/** The references of a step, found through its schema: fields declared as `reference`, as a list of them, or as `severalReference`. */
 export function referencesOf(step: Step): readonly Reference[] {
   const { entries } = stepRow(step.type).schema;
   const found: Reference[] = [];
   for (const [field, held] of Object.entries(step)) {
     const declared = withoutDefault(entries[field]);
     if (held === undefined) continue;
-    if (declared === reference) found.push({ path: [field], name: held as string });
+    if (declared === severalReference) found.push({ path: [field], name: held as string, several: true });
+    else if (declared === reference) found.push({ path: [field], name: held as string });
     else if (isReferenceList(declared))
       for (const [at, name] of (held as unknown as readonly string[]).entries())
         found.push({ path: [field, at], name });

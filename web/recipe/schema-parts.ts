@@ -50,11 +50,15 @@ export const coordinate = between(-MAX_COORDINATE, MAX_COORDINATE);
 export const length = positiveUpTo(MAX_COORDINATE);
 
 /** A reference to a model or to an earlier step; found by identity when references are checked. */
-export const reference = v.pipe(
-  v.string(),
-  v.minLength(1, 'a name'),
-  v.maxLength(64, 'a name of at most 64 characters'),
-);
+export const reference = modelName();
+
+/** A reference to an earlier step that leaves several models, for all of them; found by identity as well. */
+export const severalReference = modelName();
+
+/** Long enough for the models of a step that started from those of another. */
+function modelName() {
+  return v.pipe(v.string(), v.minLength(1, 'a name'), v.maxLength(200, 'a name of at most 200 characters'));
+}
 
 export const stepId = v.pipe(
   v.string(),

@@ -10,7 +10,7 @@ type Named<S> = { [F in keyof S]-?: S[F] extends string | readonly string[] ? F 
 
 /** What everyone may know of a step type without knowing the type. */
 type Facts<S> = {
-  /** The reference to the model that it changes: what its result takes the place of. Of a list, the first. */
+  /** The reference to the model that it changes: what its result takes the place of. Of several, the first. */
   readonly main: Named<S>;
   /** Where the type is edited; `null`: nowhere of its own. */
   readonly workspace: string | null;

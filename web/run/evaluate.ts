@@ -4,7 +4,7 @@ import { cancelled, LissomError } from '../core/errors';
 import { hashValue } from '../core/hash';
 import { Lru } from '../core/lru';
 import { type Model, vertexCount } from '../core/model';
-import type { KernelPort } from '../kernel/contract';
+import type { KernelPort, Look } from '../kernel/contract';
 import type { Measured } from '../kernel/contract/model';
 import { pathText } from '../recipe/problem';
 import type { Recipe, Step } from '../recipe/recipe';
@@ -24,6 +24,8 @@ export interface RunOptions {
   readonly onProgress?: (fraction: number, step: Step) => void;
   /** Hears of what takes much memory before it starts. */
   readonly onPreparation?: (preparation: Preparation, step: Step) => void;
+  /** Sees what a step under way makes grow. */
+  readonly onLook?: (look: Look, step: Step) => void;
   /** False: quick previews will do. */
   readonly settle?: boolean;
   /** Also measure what the last step did to the model that it changes. */
@@ -123,6 +125,7 @@ export class Runner {
           settle: true,
           signal,
           onProgress,
+          onLook: undefined,
           onPreparation,
         };
         return placed(
@@ -163,7 +166,9 @@ export class Runner {
       const { inputs } = given;
       const onProgress = (fraction: number) => options.onProgress?.((at + fraction) / steps.length, step);
       const onPreparation = (preparation: Preparation) => options.onPreparation?.(preparation, step);
-      const context = { ...given, kernel: this.#session, settle, signal, onProgress, onPreparation };
+      const look = options.onLook;
+      const onLook = look && ((seen: Look) => look(seen, step));
+      const context = { ...given, kernel: this.#session, settle, signal, onProgress, onLook, onPreparation };
       const place = stepPlace(index, step);
       const key = this.#resultKey(step, given, settle);
       const runner = runnerOf(step);
@@ -175,7 +180,11 @@ export class Runner {
         }),
       );
       if (measure && at === steps.length - 1) await this.#measure(outcome, mainOf(step, inputs), signal);
-      for (const [name, stage] of stagesOf(step, outcome, { key, place, origin: { step, inputs } }))
+      for (const [name, stage] of stagesOf(step, outcome, {
+        key,
+        place,
+        origin: { step, inputs, models: outcome.models },
+      }))
         stages.set(name, stage);
       const finished = runner.finish?.(step, outcome) ?? outcome;
       results.set(step.id, resultOf(recipe, step, inputs, finished, outcome.measured));

@@ -5,6 +5,7 @@ import { curveHandlers } from './curve';
 import { deformHandlers } from './deform';
 import { hairHandlers } from './hair';
 import { isolineHandlers } from './isoline';
+import { matchHandlers } from './match';
 import { mergeHandlers } from './merge';
 import { modelHandlers } from './model';
 import { Registry } from './registry';
@@ -21,6 +22,7 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...mergeHandlers(wasm, registry),
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),
+    ...matchHandlers(wasm, registry),
     ...curveHandlers(wasm, registry),
     ...sketchHandlers(wasm, registry),
     ...contourHandlers(wasm, registry),

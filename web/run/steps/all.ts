@@ -3,6 +3,7 @@ import type { Capacities } from '../session';
 import { curvesRunner } from './curves';
 import { deformRunner } from './deform';
 import { hairRunner } from './hair';
+import { matchRunner } from './match';
 import { mergeRunner } from './merge';
 import type { StepContext, StepRunner } from './step-runner';
 import { transferRunner } from './transfer';
@@ -14,6 +15,7 @@ const runners = {
   hair: hairRunner,
   transfer: transferRunner,
   curves: curvesRunner,
+  match: matchRunner,
 } satisfies { readonly [T in StepType]: StepRunner<StepOf<T>> };
 
 export const runnerOf = (step: Step): StepRunner<Step> => runners[step.type] as StepRunner<Step>;

@@ -1,6 +1,7 @@
 import type { Finding } from '../../core/errors';
 import type { Model } from '../../core/model';
 import type { Strands } from '../../core/strands';
+import type { Look } from '../../kernel/contract';
 import type { Step } from '../../recipe/recipe';
 import type { Capacities, KernelSession } from '../session';
 import type { ModelResult } from '../types';
@@ -10,6 +11,8 @@ export interface Origin {
   readonly step: Step;
   /** They may have been let go since: who asks the kernel about one opens it again. */
   readonly inputs: readonly Pick<ModelResult, 'model' | 'key'>[];
+  /** All that it left, by name, where it leaves several models. */
+  readonly models?: Readonly<Record<string, Model>> | undefined;
 }
 
 /** Something large that is about to be set up. */
@@ -32,6 +35,8 @@ export interface StepContext {
   readonly signal: AbortSignal | undefined;
   /** In [0, 1]. */
   readonly onProgress: (fraction: number) => void;
+  /** Sees the models grow where something takes long; not asked for where nobody looks. */
+  readonly onLook: ((look: Look) => void) | undefined;
   /** Hears of what takes much memory before it starts. */
   readonly onPreparation: (preparation: Preparation) => void;
 }

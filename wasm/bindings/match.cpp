@@ -1,0 +1,136 @@
+#include "convert.h"
+#include "session.h"
+#include "lissom/match/marker_alignment.h"
+#include "lissom/match/match_session.h"
+#include "lissom/match/places.h"
+
+#include <emscripten/bind.h>
+
+#include <memory>
+#include <string>
+
+using namespace emscripten;
+using namespace bindings;
+
+namespace {
+
+/// A session together with the models it refers to, so that any may be released first.
+struct HeldMatch {
+    std::vector<std::shared_ptr<lissom::WorkingMesh>> models;
+    lissom::MatchSession session;
+};
+
+lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& source) {
+    lissom::MatchOptions options;
+    if (const val start = given["start"]; !start.isUndefined())
+        options.start = named<lissom::MatchStart>(start, "start", {{"automatic", lissom::MatchStart::automatic}, {"similarity", lissom::MatchStart::similarity}, {"radial", lissom::MatchStart::radial}});
+    read(given, "edgeLength", options.edge_length);
+    options.edge_length /= source.scale * lissom::surface_size(source.mesh).size;
+    return options;
+}
+
+// new MatchSession(models: WorkingMesh[], marked: { markers, … }[], options)
+HeldMatch* prepare(const val& list, const val& marked, const val& options) {
+    return guarded([&] {
+        std::vector<std::shared_ptr<lissom::WorkingMesh>> models;
+        for (const val& one : vecFromJSArray<val>(list)) models.push_back(one.as<std::shared_ptr<lissom::WorkingMesh>>());
+        if (models.size() != 2) throw lissom::InvalidInput("bad-option", "A match takes two models.");
+        const lissom::WorkingMesh &source = *models[0], &target = *models[1];
+        return new HeldMatch{models, lissom::MatchSession(source, target, points(marked[0]["markers"]), points(marked[1]["markers"]), match_options(options, source))};
+    });
+}
+
+// look() → GrowingSkins
+val look(const HeldMatch& held) {
+    return guarded([&] {
+        const lissom::Triangles& triangles = held.session.triangles();
+        val positions = val::array();
+        positions.call<void>("push", float64_array(held.session.target_positions()));
+        positions.call<void>("push", float64_array(held.session.target_positions()));
+        val result = val::object();
+        result.set("triangles", uint32_array(triangles.data(), static_cast<std::size_t>(triangles.size())));
+        result.set("positions", positions);
+        return result;
+    });
+}
+
+val skin_figures(const lissom::SurfaceDistances& distances, int flipped, int folds, int crossings) {
+    val distance = val::object();
+    distance.set("mean", distances.mean_there);
+    distance.set("back", distances.mean_back);
+    distance.set("p99", distances.most);
+    val result = val::object();
+    result.set("distance", distance);
+    result.set("flipped", flipped);
+    result.set("folds", folds);
+    result.set("selfIntersections", crossings);
+    return result;
+}
+
+// result() → what Matched of web/kernel/contract/match.ts says, but for the memory
+val result(const HeldMatch& held) {
+    return guarded([&] {
+        const lissom::MatchResult found = held.session.result();
+        const lissom::MatchReport& report = found.report;
+        val positions = val::array(), figures = val::array(), residuals = val::array(), poorest = val::array();
+        positions.call<void>("push", float64_array(found.skins.source));
+        positions.call<void>("push", float64_array(found.skins.target));
+        figures.call<void>("push", skin_figures(report.source, 0, report.source_folds, report.source_crossings));
+        figures.call<void>("push", skin_figures(report.target, report.flipped, report.target_folds, report.target_crossings));
+        const std::vector<float> none(report.residuals.size(), 0.0f);
+        residuals.call<void>("push", typed_array(none.data(), none.size()));
+        residuals.call<void>("push", typed_array(report.residuals.data(), report.residuals.size()));
+        for (int k = 0; k < 2; ++k) poorest.call<void>("push", uint32_array(nullptr, 0));
+        val seconds = val::object();
+        seconds.set("start", report.seconds.start);
+        seconds.set("carry", report.seconds.carry);
+        seconds.set("fine", report.seconds.fine);
+        seconds.set("connectivity", report.seconds.connectivity);
+        seconds.set("report", report.seconds.report);
+        const lissom::Triangles& triangles = found.skins.triangles;
+        val answer = val::object();
+        answer.set("triangles", uint32_array(triangles.data(), static_cast<std::size_t>(triangles.size())));
+        answer.set("positions", positions);
+        answer.set("figures", figures);
+        answer.set("residuals", residuals);
+        answer.set("poorest", poorest);
+        answer.set("markerVertices", uint32_array(found.marker_vertices.data(), found.marker_vertices.size()));
+        answer.set("markerError", report.marker_error);
+        answer.set("iterations", 0);
+        answer.set("warnings", findings(report.warnings));
+        answer.set("seconds", seconds);
+        return answer;
+    });
+}
+
+lissom::Triangles triangles_of(const val& uint32) {
+    const std::vector<int> corners = indices(uint32);
+    return Eigen::Map<const lissom::Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+}
+
+// carryPlaces(from, to, triangles, places) → Float64Array
+val carry_places(const val& from, const val& to, const val& triangles, const val& places) {
+    return guarded([&] { return float64_array(lissom::carried_places({points(from), triangles_of(triangles)}, points(to), points(places))); });
+}
+
+// guessPlace(from, to, fromMarkers, toMarkers, place) → Float64Array of 3
+val guess_place(const std::shared_ptr<lissom::WorkingMesh>& from, const std::shared_ptr<lissom::WorkingMesh>& to, const val& from_markers, const val& to_markers, const val& place) {
+    return guarded([&] {
+        const lissom::Points one = points(place);
+        if (one.rows() != 1) throw lissom::InvalidInput("wrong-size", "One place is guessed at a time, by three numbers.");
+        return float64_array(lissom::guessed_place(*from, *to, points(from_markers), points(to_markers), one.row(0)));
+    });
+}
+
+} // namespace
+
+EMSCRIPTEN_BINDINGS(match) {
+    function("carryPlaces", &carry_places);
+    function("guessPlace", &guess_place);
+    class_<HeldMatch>("MatchSession")
+        .constructor(&prepare, allow_raw_pointers())
+        .function("step", &bindings::step<HeldMatch>)
+        .function("fraction", &bindings::fraction<HeldMatch>)
+        .function("look", &look)
+        .function("result", &result);
+}

@@ -1,0 +1,151 @@
+// The match step: skins of one connectivity over several models (Skins).
+
+import { LissomError } from '../../core/errors';
+import { type Model, vertexCount } from '../../core/model';
+import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
+import type { Matched, SkinFigures } from '../../kernel/contract/match';
+import type { MarkerPlace, MatchStep } from '../../recipe/steps/match';
+import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { placePoints } from './match/places';
+import { type InputShape, type StepOutcome, type StepRunner, signalOf } from './step-runner';
+
+/** With one or two markers it is open how the models are turned: none at all, or so many. */
+const FEWEST_MARKERS = 3;
+
+export interface MatchFigures {
+  /** Largest distance of a marker from its place, in diagonals. */
+  readonly markerError: number;
+  /** By model, in diagonals of it. */
+  readonly distance: Readonly<Record<string, SkinFigures['distance']>>;
+  readonly flipped: Readonly<Record<string, number>>;
+  readonly folds: Readonly<Record<string, number>>;
+  readonly selfIntersections: Readonly<Record<string, number>>;
+  readonly iterations: number;
+}
+
+/** What a match leaves beside the skins, for who looks at it. */
+export interface MatchQuality {
+  /** By model: how far each vertex of its skin lies from it, in diagonals. */
+  readonly residuals: Readonly<Record<string, Float32Array>>;
+  /** By model: vertices of its skin where another marker would help most. */
+  readonly poorest: Readonly<Record<string, Uint32Array>>;
+  /** The skins' vertex that each marker is. */
+  readonly markerVertices: Uint32Array;
+}
+
+const qualities = new WeakMap<Model, MatchQuality>();
+
+/** What is known of a match by the skin of its first model: the `model` of its result. */
+export const matchQuality = (skin: Model): MatchQuality | undefined => qualities.get(skin);
+
+export const matchRunner = {
+  check(step, path, inputs) {
+    checkCounts(step, path);
+    const { length } = step.markers;
+    if (length > 0 && length < FEWEST_MARKERS)
+      throw new LissomError(
+        'marker-count',
+        `${path}.markers: there ${length === 1 ? 'is one' : 'are two'}; give ${FEWEST_MARKERS} or more, or none at all.`,
+      );
+    for (const [at, input] of inputs.entries()) {
+      if (!input) continue;
+      for (const [number, places] of step.markers.entries())
+        checkPlace(places[at]!, `${path}.markers[${number}][${at}]`, input);
+      for (const [number, rows] of (step.curves ?? []).entries())
+        for (const [along, place] of rows[at]!.entries())
+          checkPlace(place, `${path}.curves[${number}][${at}][${along}]`, input);
+      for (const [number, row] of (step.sharp?.[at] ?? []).entries())
+        checkVertices(row, `${path}.sharp[${at}][${number}]`, input);
+      const mask = step.mask?.[at];
+      if (mask) checkVertices(mask, `${path}.mask[${at}]`, input);
+    }
+  },
+
+  /** Edges are split and collapsed: nobody knows before. */
+  vertexCount: () => undefined,
+
+  content: ({ id: _id, models: _models, mask, ...rest }) => ({
+    ...rest,
+    mask: mask?.map(vertexSetKey),
+  }),
+
+  async run(step, context): Promise<StepOutcome<MatchFigures>> {
+    const { inputs, onProgress, onLook } = context;
+    const models = inputs.map(({ model, opened }, at) => ({
+      model: opened.id,
+      markers: placePoints(
+        model,
+        step.markers.map((places) => places[at]!),
+        inputName(step, at),
+      ),
+      ignored: indicesOf(step.mask?.[at] ?? [], model),
+      curves: (step.curves ?? []).map((rows) => placePoints(model, rows[at]!, inputName(step, at))),
+      sharp: (step.sharp?.[at] ?? []).map((row) => Uint32Array.from(row)),
+    }));
+    const { edgeLength, adapt, sharpAngle, first, genus, method, start } = step;
+    const matched = await context.kernel.call(
+      'match',
+      { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, start } },
+      { ...signalOf(context), onProgress, ...(onLook && { onLook }) },
+    );
+    const skins = step.models.map((name, at) => skinOf(name, matched, at));
+    const byName = <T>(value: (at: number) => T): Record<string, T> =>
+      Object.fromEntries(step.models.map((name, at) => [name, value(at)]));
+    qualities.set(skins[0]!, {
+      residuals: byName((at) => matched.residuals[at]!),
+      poorest: byName((at) => matched.poorest[at]!),
+      markerVertices: matched.markerVertices,
+    });
+    const { figures } = matched;
+    return {
+      model: skins[0]!,
+      models: byName((at) => skins[at]!),
+      figures: {
+        markerError: matched.markerError,
+        distance: byName((at) => figures[at]!.distance),
+        flipped: byName((at) => figures[at]!.flipped),
+        folds: byName((at) => figures[at]!.folds),
+        selfIntersections: byName((at) => figures[at]!.selfIntersections),
+        iterations: matched.iterations,
+      },
+      seconds: { ...matched.seconds },
+      peakBytes: matched.peakBytes,
+      warnings: matched.warnings,
+    };
+  },
+} satisfies StepRunner<MatchStep>;
+
+const inputName = ({ models }: MatchStep, at: number): string => models[at]!;
+
+const indicesOf = (set: VertexSet, model: Model): Uint32Array =>
+  isEmpty(set) ? new Uint32Array() : toIndices(set, vertexCount(model));
+
+function skinOf(name: string, { triangles, positions }: Matched, at: number): Model {
+  const count = triangles.length / 3;
+  return {
+    name: name.slice(name.lastIndexOf('/') + 1),
+    positions: positions[at]!,
+    faceOffsets: Uint32Array.from({ length: count + 1 }, (_, face) => 3 * face),
+    faceVertices: triangles,
+  };
+}
+
+/** @throws LissomError `index-out-of-range` */
+function checkPlace(place: MarkerPlace, path: string, input: InputShape): void {
+  if (typeof place === 'number') checkVertices([place], path, input);
+}
+
+/** Lists that have an entry for each model. @throws LissomError `marker-count` */
+function checkCounts({ models, markers, curves = [], sharp, mask }: MatchStep, path: string): void {
+  const wrong = (field: string, found: number, what: string) =>
+    new LissomError(
+      'marker-count',
+      `${path}.${field}: there are ${found}; give one ${what} for each of the ${models.length} models, in their order.`,
+    );
+  for (const [at, { length }] of markers.entries())
+    if (length !== models.length) throw wrong(`markers[${at}]`, length, 'place');
+  for (const [at, { length }] of curves.entries())
+    if (length !== models.length) throw wrong(`curves[${at}]`, length, 'row of places');
+  if (sharp && sharp.length !== models.length) throw wrong('sharp', sharp.length, 'list');
+  if (mask && mask.length !== models.length) throw wrong('mask', mask.length, 'vertex set');
+}
