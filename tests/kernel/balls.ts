@@ -41,6 +41,9 @@ export function ball(rows: number, around: number, place: (x: number, y: number,
 export const pear = (): Ball => ball(16, 24, (x, y, z) => [x, 1.3 * y, z]);
 export const plum = (): Ball => ball(20, 28, (x, y, z) => [1.4 * x, y, (1 + 0.2 * y) * z]);
 
+/** A third. */
+export const fig = (): Ball => ball(18, 22, (x, y, z) => [x * (1 - 0.3 * y), 1.1 * y, 0.8 * z]);
+
 /** The points of some vertices, 3 numbers each. */
 export const pointsOf = ({ positions }: Shape, vertices: readonly number[]): Float64Array =>
   Float64Array.from(vertices.flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]));

@@ -7,7 +7,7 @@ import type { Recipe } from '../../web/recipe/recipe';
 import { Runner } from '../../web/run/evaluate';
 import type { StepResult } from '../../web/run/results';
 import { matchQuality } from '../../web/run/steps/match';
-import { pear, plum, pointsOf } from '../kernel/balls';
+import { fig, pear, plum, pointsOf } from '../kernel/balls';
 
 const SHAPES = { pear: pear(), plum: plum() };
 const marks = (count: number) =>
@@ -107,3 +107,21 @@ function faceAt(vertex: number): readonly [number, number] {
   const at = SHAPES.pear.faceVertices.indexOf(vertex);
   return [Math.floor(at / 3), at % 3];
 }
+
+test('three models get one connectivity together', async () => {
+  const models = { ...SHAPES, fig: fig() };
+  const three = new Runner({
+    kernel: await loadKernel(),
+    models: { load: async (name: string) => ({ name, ...models[name as keyof typeof models] }) },
+  });
+  const markers = marks(6).map((pair, at) => [...pair, models.fig.ends[at]!]);
+  const recipe = parseRecipe({
+    lissom: 1,
+    models: { pear: { builtin: 'pear' }, plum: { builtin: 'plum' }, fig: { builtin: 'fig' } },
+    steps: [match({ models: ['pear', 'plum', 'fig'], markers })],
+  });
+  const { models: skins, report } = (await three.run(recipe)).get('m') as StepResult<'match'>;
+  expect(skins!.fig!.faceVertices).toEqual(skins!.pear!.faceVertices);
+  for (const name of ['pear', 'plum', 'fig'] as const)
+    expect([report.distance[name]!.mean < 0.004, report.selfIntersections[name]]).toEqual([true, 0]);
+});

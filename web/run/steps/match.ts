@@ -110,7 +110,10 @@ export const matchRunner = {
       },
       seconds: { ...matched.seconds },
       peakBytes: matched.peakBytes,
-      warnings: matched.warnings,
+      warnings: matched.warnings.map(({ model, ...rest }) => ({
+        ...rest,
+        ...(model >= 0 && { model: step.models[model]! }),
+      })),
     };
   },
 } satisfies StepRunner<MatchStep>;
