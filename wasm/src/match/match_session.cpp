@@ -3,6 +3,7 @@
 #include "lissom/match/correspondences.h"
 #include "lissom/match/fine_fit.h"
 #include "lissom/match/folds.h"
+#include "lissom/match/marker_curves.h"
 #include "lissom/match/skin_carrier.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
@@ -32,6 +33,8 @@ constexpr double k_anywhere = std::numeric_limits<double>::infinity();
 /// bodies of different poses, where it halves the error; 0.6 and more on heads and bodies of one pose, where it doubles it.
 constexpr double k_bends_better = 1.0 / 3;
 
+constexpr double k_marker_pull = 30; // vertices, while carried
+constexpr double k_curve_pull = 10, k_fine_curve_pull = 5; // a place of a curve: drawn by hand, it is not exact
 constexpr double k_fine_first = 20, k_fine_last = 0.3;
 constexpr double k_fine_reach = 0.03, k_fine_cosine = 0.4;
 constexpr int k_before_connectivity = 2, k_after_connectivity = 3; // fine steps without
@@ -47,7 +50,20 @@ void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
     if (!(o.edge_length >= 0 && o.edge_length < 1)) refuse("The edge length is " + std::to_string(o.edge_length) + " of the source's size; it must be below 1, or 0 for its own.");
     if (o.levels < 1 || o.levels > 4) refuse("The number of levels is " + std::to_string(o.levels) + "; it must be between 1 and 4.");
     if (o.fine_steps < 1 || o.fine_steps > 60) refuse("The number of fine steps is " + std::to_string(o.fine_steps) + "; it must be between 1 and 60.");
+    if (!(o.adapt >= 0 && o.adapt <= 1)) refuse("How far lengths adapt is " + std::to_string(o.adapt) + "; it must be between 0 and 1.");
     if (o.most_vertices < 0) refuse("The most vertices a skin may have are " + std::to_string(o.most_vertices) + "; give 0 or more.");
+}
+
+void check_curves(const std::vector<MatchModel>& models) {
+    for (const MatchModel& model : models) {
+        if (model.curves.size() != models.front().curves.size())
+            throw InvalidInput("curve-count", "One model has " + std::to_string(models.front().curves.size()) + " marker curves and another " + std::to_string(model.curves.size()) + ". Draw each on all models.");
+        for (std::size_t c = 0; c < model.curves.size(); ++c) {
+            const Points& line = model.curves[c];
+            if (line.rows() < 2 || !line.allFinite() || (line.rowwise() - line.row(0)).isZero(0))
+                throw InvalidInput("bad-curve", "Marker curve " + std::to_string(c + 1) + " has no length, or a coordinate that is not a finite number. Draw it again.");
+        }
+    }
 }
 
 /// What a model is called in a sentence.
@@ -64,13 +80,18 @@ int crossings_of(const TriangleMesh& mesh) {
 /// A model and what is made for its skin while it is fitted.
 struct Fitted {
     PlacedModel placed;
-    Points markers; ///< on the surface, unit size
+    Points markers;              ///< on the surface, unit size
+    std::vector<Points> curves;  ///< unit size
+    Points curve_places{};       ///< of the source's curves, on this surface
     MarkerAlignment alignment{};
     std::unique_ptr<SkinCarrier> carrier{}, bent{}; ///< the second where both starts are tried
     std::optional<Correspondences> correspondences{};
     std::optional<GuardedStep> guard{};
 
-    Fitted(const MatchModel& model, const std::string& which) : placed(*model.model, which), markers(placed.inwards(model.markers)) {}
+    Fitted(const MatchModel& model, const std::string& which) : placed(*model.model, which), markers(placed.inwards(model.markers)) {
+        placed.ignore(model.ignored, which);
+        for (const Points& curve : model.curves) curves.push_back(placed.inwards(curve));
+    }
     [[nodiscard]] const FitSurface& surface() const { return placed.surface; }
 };
 
@@ -83,6 +104,8 @@ struct MatchSession::State {
     std::deque<Fitted> models{}; ///< the source first
 
     SkinSet skins{};
+    std::optional<MarkerCurves> curves{};
+    std::vector<char> masked{}; ///< per vertex of the skins: the source ignores where it is; empty: none
     std::optional<GraphLevels> graphs{};
     std::optional<FineFit> fine{}; ///< of all skins, for it knows the triangles alone
     ConnectivityOptions edges{};
@@ -151,6 +174,12 @@ struct MatchSession::State {
             skins.marker[nearest] = static_cast<int>(i);
             first.row(nearest) = source().markers.row(i);
         }
+        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(mesh);
+        edges.most_vertices = options.most_vertices > 0 ? options.most_vertices : 4 * skins.vertex_count();
+        edges.adapt = options.adapt;
+        curves.emplace(source().curves, source().surface(), edges.edge_length);
+        for (Fitted& each : models) each.curve_places = curves->on(each.curves, each.surface());
+        find_masked();
         const CarrySchedule schedule = carry_schedule(static_cast<int>(source().markers.rows()));
         graphs.emplace(skins.mesh(0), schedule.radius, options.levels, options.seed);
         for (int k = 1; k < count(); ++k) {
@@ -159,7 +188,7 @@ struct MatchSession::State {
                 const Points points = start(first);
                 if (!points.allFinite()) throw SolverFailure("The markers bend the source beyond all numbers. Start by a similarity.");
                 carries += schedule.iterations;
-                return std::make_unique<SkinCarrier>(points, skins.triangles, skins.marker, *graphs, target.surface(), target.markers, schedule, options.seed);
+                return std::make_unique<SkinCarrier>(points, skins.triangles, *graphs, target.surface(), CarryGuides{guides(target), told(), masked}, schedule, options.seed);
             };
             carries += (options.levels - 1) * schedule.iterations;
             if (options.start == MatchStart::automatic && target.alignment.radial) {
@@ -170,8 +199,29 @@ struct MatchSession::State {
             } else target.carrier = carrier(target.alignment);
             skins.points[static_cast<std::size_t>(k)] = target.carrier->points();
         }
-        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(mesh);
-        edges.most_vertices = options.most_vertices > 0 ? options.most_vertices : 4 * skins.vertex_count();
+    }
+
+    /// What comes from where the source is ignored. Asked anew when edges have changed.
+    void find_masked() {
+        if (!source().surface().ignores_some()) return;
+        masked.assign(static_cast<std::size_t>(skins.vertex_count()), 0);
+        for (int v = 0; v < skins.vertex_count(); ++v) masked[v] = source().surface().nearest(skins.points.front().row(v), Vector3d::Zero(), -1, k_anywhere).ignored;
+    }
+
+    /// Where markers and curves belong on a target, as its skin is carried.
+    [[nodiscard]] std::vector<Pull> guides(const Fitted& target) const {
+        std::vector<Pull> pulls = curves->pulls(skins.mesh(0), target.curve_places);
+        for (Pull& pull : pulls) pull.weight = k_curve_pull;
+        for (int v = 0; v < skins.vertex_count(); ++v)
+            if (skins.marker[v] >= 0) pulls.push_back(Pull::of_vertex(v, target.markers.row(skins.marker[v]).transpose(), k_marker_pull));
+        return pulls;
+    }
+
+    /// Vertices that nothing is asked about: they are told where to go, or left to those around them.
+    [[nodiscard]] std::vector<char> told() const {
+        std::vector<char> flags = locked();
+        for (std::size_t v = 0; v < masked.size(); ++v) flags[v] = flags[v] || masked[v];
+        return flags;
     }
 
     [[nodiscard]] std::vector<char> locked() const {
@@ -241,7 +291,11 @@ struct MatchSession::State {
         if (!fine) fine.emplace(skins.mesh(1));
         if (!present().correspondences) present().correspondences.emplace(present().surface(), SurfaceSamples{}, present().surface().has_facing());
         const CorrespondenceRules rules{k_fine_cosine, k_fine_reach, 0};
-        const auto pulls = present().correspondences->find(skins.mesh(model), rules, locked());
+        std::vector<Pull> pulls = present().correspondences->find(skins.mesh(model), rules, told());
+        for (Pull pull : curves->pulls(skins.mesh(0), present().curve_places)) {
+            pull.weight = k_fine_curve_pull;
+            pulls.push_back(pull);
+        }
         std::vector<FineFit::Held> held;
         for (int v = 0; v < skins.vertex_count(); ++v)
             if (skins.marker[v] >= 0) held.push_back({v, present().markers.row(skins.marker[v]).transpose()});
@@ -265,6 +319,7 @@ struct MatchSession::State {
         full = full || skins.vertex_count() >= edges.most_vertices;
         // Edits may have made a few triangles meet. More than a few rounds would smooth away what is meant to be thin.
         for (Points& points : skins.points) mend(points, k_mending_rounds);
+        find_masked();
         fine.reset();
         for (Fitted& each : models) each.guard.reset();
         stage = Stage::relax;
@@ -277,28 +332,31 @@ struct MatchSession::State {
             if (!next_model()) model = 0;
             return;
         }
-        take_source_step(on_surface(source().surface(), {relaxed_tangentially(skins, 0), skins.triangles}, k_back_cosine));
+        take_source_step(on_source({relaxed_tangentially(skins, 0), skins.triangles}, k_back_cosine));
         end_fine_step();
     }
 
-    /// Each vertex at its nearest place of the surface that faces as it does; markers stay.
-    [[nodiscard]] Points on_surface(const FitSurface& surface, const TriangleMesh& skin, double least_cosine) const {
+    /// Each vertex at its nearest place of the surface that faces as it does; what is `kept` stays.
+    [[nodiscard]] static Points on_surface(const FitSurface& surface, const TriangleMesh& skin, double least_cosine, const std::vector<char>& kept, bool everywhere = false) {
         Points places = skin.points;
         const Points normals = vertex_normals(skin);
         const std::vector<bool> border = surface.has_border() ? boundary_vertices(skin) : std::vector<bool>(places.rows(), false);
         for (int v = 0; v < skin.vertex_count(); ++v) {
-            if (skins.marker[v] >= 0) continue;
+            if (kept[v]) continue;
             const Vector3d p = skin.points.row(v);
             const auto place = border[v] ? surface.nearest_on_border(p, k_fine_reach) : surface.nearest(p, normals.row(v), least_cosine, k_fine_reach);
-            if (place.triangle >= 0 && (border[v] || !place.on_border)) places.row(v) = place.point.transpose();
+            if (place.triangle >= 0 && (border[v] || !place.on_border) && (everywhere || !place.ignored)) places.row(v) = place.point.transpose();
         }
         return places;
     }
 
+    /// The source's skin began on its model, and stays there even where that is masked.
+    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) { return on_surface(source().surface(), skin, least_cosine, locked(), true); }
+
     void project() {
-        take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine));
+        take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
         if (next_model()) return;
-        if (iteration == 0 && changes.any()) take_source_step(on_surface(source().surface(), skins.mesh(0), k_projection_cosine));
+        if (iteration == 0 && changes.any()) take_source_step(on_source(skins.mesh(0), k_projection_cosine));
         if (++iteration == k_projections) next(Stage::done);
     }
 
@@ -353,7 +411,7 @@ struct MatchSession::State {
         warn("stopped-early", -1, stage != Stage::done);
         for (int k = 0; k < count(); ++k) {
             const Fitted& on = models[static_cast<std::size_t>(k)];
-            found.skins.push_back(skin_report(skins.mesh(k), on.placed));
+            found.skins.push_back(skin_report(skins.mesh(k), on.placed, k > 0 ? masked : std::vector<char>{}, k == 0));
             found.marker_error = std::max(found.marker_error, marker_error(skins, k, on.markers, on.placed));
             if (k > 0) found.flatness = std::min(found.flatness, found.skins.back().flatness = on.alignment.flatness);
             found.skins.back().bent = on.alignment.radial.has_value();
@@ -371,6 +429,7 @@ struct MatchSession::State {
 MatchSession::MatchSession(const std::vector<MatchModel>& models, const MatchOptions& options) {
     Stopwatch watch;
     check(models, options);
+    check_curves(models);
     state_ = std::make_unique<State>(models, options);
     state_->align();
     state_->seconds.start = watch.lap();

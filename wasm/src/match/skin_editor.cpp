@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace lissom {
 
@@ -28,8 +29,8 @@ double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 
 } // namespace
 
-SkinEditor::SkinEditor(const SkinSet& skins, double longest)
-    : longest_(longest), marker_(skins.marker), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
+SkinEditor::SkinEditor(const SkinSet& skins, std::vector<double> lengths, double longest)
+    : lengths_(std::move(lengths)), longest_(longest), marker_(skins.marker), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
     for (const Points& points : skins.points) {
         Places& places = points_.emplace_back();
         for (int v = 0; v < skins.vertex_count(); ++v) places.push_back(points.row(v));
@@ -106,6 +107,7 @@ bool SkinEditor::split(int a, int b) {
     if (!at.sound || (at.left < 0 && at.right < 0)) return false;
     const int middle = static_cast<int>(around_.size());
     for (Places& p : points_) p.push_back(((p[a] + p[b]) / 2).eval());
+    lengths_.push_back((lengths_[a] + lengths_[b]) / 2);
     marker_.push_back(-1);
     around_.emplace_back();
     ++vertices_;
@@ -127,8 +129,9 @@ bool SkinEditor::harms(int v, int other, const Vector3d& place, const Places& p)
         const Corners& c = triangles_[t];
         if (std::find(c.begin(), c.end(), other) != c.end()) continue; // goes
         const int k = static_cast<int>(std::find(c.begin(), c.end(), v) - c.begin());
-        const Vector3d &q = p[c[(k + 1) % 3]], &r = p[c[(k + 2) % 3]];
-        if ((q - place).norm() > longest_ || (r - place).norm() > longest_) return true;
+        const int next = c[(k + 1) % 3], last = c[(k + 2) % 3];
+        const Vector3d &q = p[next], &r = p[last];
+        if ((q - place).norm() > longest_ * wanted(v, next) || (r - place).norm() > longest_ * wanted(v, last)) return true;
         const Vector3d before = normal(c, p), after = (q - place).cross(r - place);
         if (!(after.dot(before) > k_collapse_turn * after.norm() * before.norm())) return true;
     }

@@ -16,6 +16,8 @@ namespace lissom {
 struct MatchModel {
     const WorkingMesh* model = nullptr; ///< kept by reference: must outlive the session
     Points markers = Points(0, 3);      ///< n×3 places in the model's own space, brought onto its surface; n may be 0, the same for all models
+    std::vector<int> ignored = {};      ///< vertices of the file: a triangle with all of its corners among them is fitted to by nothing, on a target; what comes from there, on the source, is fitted to nothing
+    std::vector<Points> curves = {};    ///< marker curves: polylines of two places or more, in the model's own space; as many for all models, drawn the same way round
 };
 
 struct MatchOptions {
@@ -25,6 +27,7 @@ struct MatchOptions {
     int levels = 3;            ///< node graphs, each with half the radius of the one before, 1 to 4
     int fine_steps = 14;       ///< 1 to 60
     int most_vertices = 0;     ///< of the skins; 0: four times the source's
+    double adapt = 0;          ///< 0 to 1: how far edges are shorter where any skin is curved, down to a third, and longer where all are flat, up to twice
     std::uint64_t seed = 0;
 };
 
@@ -33,13 +36,14 @@ struct MatchSeconds {
     [[nodiscard]] double sum() const { return start + carry + fine + connectivity + report; }
 };
 
-/// What one skin is worth. Distances are shares of the bounding box diagonal of the model that it lies on.
+/// What one skin is worth, but for what masks leave out. Distances are shares of the bounding box diagonal of the model that it lies on.
 struct SkinReport {
     SurfaceDistances distances;   ///< of the skin (first) and its model
     int folds = 0;                ///< edges with a cosine below −0.2 between their triangles' normals
     int crossings = 0;            ///< triangles that meet another without a common vertex
     int flipped = 0;              ///< triangles that find no place of the model facing as they do within the length of their longest side
-    std::vector<float> residuals; ///< per vertex its distance from the model
+    std::vector<float> residuals; ///< per vertex the larger of its distance from the model and of those places of the model from the skin that are nearest to it; 0 where a mask lies
+    std::vector<int> worst;       ///< up to five vertices of large residual, apart from one another, the worst first: where a marker more helps
     double flatness = 0;          ///< of its markers and the source's; the source's: 0
     bool bent = false;            ///< started by the radial map
 };
@@ -80,7 +84,8 @@ struct MatchResult {
 class MatchSession {
 public:
     /// @param models  two or more, the source first
-    /// @throws InvalidInput what `align_markers` says, `bad-option`, `model-count` (fewer than two), `flat-model` (a model without area)
+    /// @throws InvalidInput what `align_markers` says, `bad-option`, `model-count` (fewer than two), `flat-model` (a model without area), `curve-count` (models differ),
+    ///     `bad-curve` (fewer than two places, no length, a coordinate that is not finite), `bad-mask` (a vertex that is not there, or the whole model)
     explicit MatchSession(const std::vector<MatchModel>& models, const MatchOptions& options = {});
     ~MatchSession();
     MatchSession(MatchSession&&) noexcept;

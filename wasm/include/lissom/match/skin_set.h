@@ -21,6 +21,7 @@ struct ConnectivityOptions {
     double edge_length = 0.02;  ///< L, in the unit of all
     double share = 0.3;         ///< of the edges that are too long or too short, the worst ones, in one pass
     int most_vertices = 100000; ///< no splits beyond
+    double adapt = 0;           ///< 0: L is the same everywhere; 1: by `length_factors`; between: that power of them
 };
 
 struct ConnectivityChange {
@@ -29,6 +30,10 @@ struct ConnectivityChange {
     [[nodiscard]] bool any() const { return sum() > 0; }
     ConnectivityChange& operator+=(const ConnectivityChange& more);
 };
+
+/// How long edges at each vertex should be for the skins to be equally near to their models everywhere: √(κ̄/κ), between 1/3 and 2, κ the largest curvature on any skin
+/// (normals turn by so much a length, evened out over two rings) and κ̄ its mean over the area, so that about as many vertices do.
+[[nodiscard]] std::vector<double> length_factors(const SkinSet& skins);
 
 /// One pass over the edges of all skins at once (Skins 3.3): splits where an edge is longer than 1.5 L on any (Criterion 1), collapses where it is shorter than
 /// 0.5 L on all (Criterion 2), swaps where that makes the largest of all angles that face the edge smaller (Criterion 3).
