@@ -3,6 +3,7 @@
 #include "../isoline/figures.h"
 #include "lissom/match/sharp_curves.h"
 #include "lissom/mesh/operators.h"
+#include "lissom/mesh/remesh.h"
 #include "lissom/mesh/self_intersections.h"
 #include "lissom/mesh/stopwatch.h"
 #include "pairs.h"
@@ -120,4 +121,37 @@ TEST_CASE("a ring becomes a nut: every sharp edge lies on edges of the skin with
     CHECK(tracking.farthest(skin.points) < 1e-9);
     CHECK(self_intersections(skin).pairs == 0);
     CHECK(apart.mean_back < 2e-4 * D);
+}
+
+TEST_CASE("skins made without regard to edges find all sharp edges of a nut, a bracket and a gear") {
+    for (const char* name : {"generated/out/nut", "generated/out/bracket", "generated/out/gear"}) {
+        const TriangleMesh model = figures::shared(name);
+        if (model.vertex_count() == 0) continue;
+        CAPTURE(std::string(name));
+        const double D = diagonal(model.points), L = 0.009 * D;
+        TriangleMesh skin = remesh(model, {L}).mesh;
+        const auto lines = sharp_lines(model.points, sharp_curves(model));
+        const SharpPaths found = find_sharp_paths(skin, lines, {}, {L});
+        const FitSurface surface(model);
+        SharpTracking tracking(skin, surface, anchors_of(found.paths), locks(skin, {}), {.reach = 0.1 * D});
+        Stopwatch watch;
+        double longest = 0, sum = 0;
+        for (bool more = true; more;) {
+            more = tracking.step(skin);
+            const double lap = watch.lap();
+            longest = std::max(longest, lap);
+            sum += lap;
+        }
+        const sharp_truth::Error error = sharp_truth::error(lines, skin.points, found.paths, D);
+        const SurfaceDistances apart = surface_distances(skin, model);
+        MESSAGE(std::string(name) << ": " << skin.vertex_count() << " vertices, " << found.paths.size() << " paths of " << lines.size() << " lines, failed " << found.failed.size() << ", sharp edges to skin edges "
+                                  << 100 * error.mean << " % (most " << 100 * error.most << " %), skin to model " << apart.mean_there / D << ", back " << apart.mean_back / D << ", 99 % " << apart.most / D
+                                  << ", farthest held " << tracking.farthest(skin.points) / D << ", folds " << count_folds(skin, neighbouring_triangles(skin)) << ", crossings " << self_intersections(skin).pairs << ", "
+                                  << sum << " s, longest pass " << longest << " s");
+        CHECK(found.failed.empty());
+        CHECK(sharp_truth::are_single(skin, found.paths));
+        CHECK(error.most < 0.0005);
+        CHECK(tracking.farthest(skin.points) < 1e-9 * D);
+        CHECK(self_intersections(skin).pairs == 0);
+    }
 }
