@@ -100,7 +100,7 @@ TEST_CASE("a ring becomes a nut: every sharp edge lies on edges of the skin with
     const Points to = around(0.7, 0.35, 0.5, [](double t) { return std::cos(std::numbers::pi / 6) / std::cos(std::fmod(t + std::numbers::pi / 6, std::numbers::pi / 3) - std::numbers::pi / 6); }, middle(nut));
     const pairs::Matched matched = pairs::run(torus, nut, from, to, {.connectivity = false});
     MESSAGE("torus -> nut: " << pairs::figures(matched));
-    TriangleMesh skin = matched.result.skins.target_mesh();
+    TriangleMesh skin = matched.result.skins.mesh(1);
     const double D = diagonal(nut.points);
     std::vector<Anchor> markers;
     for (std::size_t m = 0; m < matched.result.marker_vertices.size(); ++m) markers.push_back({matched.result.marker_vertices[m], skin.points.row(matched.result.marker_vertices[m]).transpose()});
