@@ -13,6 +13,7 @@
 #include "easing.h"
 #include "match_report.h"
 #include "placed_model.h"
+#include "sharp_finish.h"
 
 #include <algorithm>
 #include <deque>
@@ -42,6 +43,8 @@ constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
+constexpr double k_held_back = 1e-3; // of L: rounding is less
+constexpr double k_snap = 0.5; // of L: a marker so near to a sharp curve is meant to be on it
 constexpr double k_off_surface = 0.01; // of the size: a marker farther from its model is worth a word
 
 void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
@@ -50,6 +53,7 @@ void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
     if (!(o.edge_length >= 0 && o.edge_length < 1)) refuse("The edge length is " + std::to_string(o.edge_length) + " of the source's size; it must be below 1, or 0 for its own.");
     if (o.levels < 1 || o.levels > 4) refuse("The number of levels is " + std::to_string(o.levels) + "; it must be between 1 and 4.");
     if (o.fine_steps < 1 || o.fine_steps > 60) refuse("The number of fine steps is " + std::to_string(o.fine_steps) + "; it must be between 1 and 60.");
+    if (!(o.sharp_angle >= 0 && o.sharp_angle < 180)) refuse("The sharp angle is " + std::to_string(o.sharp_angle) + " degrees; it must be 0 or more and below 180.");
     if (!(o.adapt >= 0 && o.adapt <= 1)) refuse("How far lengths adapt is " + std::to_string(o.adapt) + "; it must be between 0 and 1.");
     if (o.most_vertices < 0) refuse("The most vertices a skin may have are " + std::to_string(o.most_vertices) + "; give 0 or more.");
 }
@@ -87,8 +91,10 @@ struct Fitted {
     std::unique_ptr<SkinCarrier> carrier{}, bent{}; ///< the second where both starts are tried
     std::optional<Correspondences> correspondences{};
     std::optional<GuardedStep> guard{};
+    SharpFinish sharp;
 
-    Fitted(const MatchModel& model, const std::string& which) : placed(*model.model, which), markers(placed.inwards(model.markers)) {
+    Fitted(const MatchModel& model, double sharp_angle, const std::string& which)
+        : placed(*model.model, which), markers(placed.inwards(model.markers)), sharp(placed, sharp_angle, model.sharp) {
         placed.ignore(model.ignored, which);
         for (const Points& curve : model.curves) curves.push_back(placed.inwards(curve));
     }
@@ -98,7 +104,7 @@ struct Fitted {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { start, carry, untangle, fine, edges, relax, project, done };
+    enum class Stage { start, carry, untangle, fine, edges, relax, project, sharp, done };
 
     MatchOptions options;
     std::deque<Fitted> models{}; ///< the source first
@@ -120,7 +126,9 @@ struct MatchSession::State {
     MatchSeconds seconds{};
 
     State(const std::vector<MatchModel>& given, const MatchOptions& o) : options(o), refused(given.size(), 0) {
-        for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], name_of(k, given.size()));
+        for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], o.sharp_angle, name_of(k, given.size()));
+        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(source().placed.mesh());
+        edges.adapt = options.adapt;
     }
 
     [[nodiscard]] int count() const { return static_cast<int>(models.size()); }
@@ -133,7 +141,7 @@ struct MatchSession::State {
         MatchWarning off{"markers-moved", k, 0, {}};
         for (Eigen::Index i = 0; i < on.markers.rows(); ++i) {
             const auto place = on.surface().nearest(on.markers.row(i), Vector3d::Zero(), -1, k_anywhere);
-            on.markers.row(i) = place.point.transpose();
+            on.markers.row(i) = (on.sharp.empty() ? place.point : on.sharp.snapped(place.point, k_snap * edges.edge_length)).transpose();
             if (!(place.distance > k_off_surface)) continue;
             ++off.count;
             if (off.examples.size() < 8) off.examples.push_back(static_cast<int>(i));
@@ -174,13 +182,17 @@ struct MatchSession::State {
             skins.marker[nearest] = static_cast<int>(i);
             first.row(nearest) = source().markers.row(i);
         }
-        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(mesh);
         edges.most_vertices = options.most_vertices > 0 ? options.most_vertices : 4 * skins.vertex_count();
-        edges.adapt = options.adapt;
         curves.emplace(source().curves, source().surface(), edges.edge_length);
         for (Fitted& each : models) each.curve_places = curves->on(each.curves, each.surface());
         find_masked();
         const CarrySchedule schedule = carry_schedule(static_cast<int>(source().markers.rows()));
+        if (!source().sharp.empty()) {
+            std::vector<int> fixed;
+            for (int v = 0; v < skins.vertex_count(); ++v)
+                if (skins.marker[v] >= 0) fixed.push_back(v);
+            skins.curves.emplace(skins.vertex_count(), source().sharp.curves(), fixed, EdgeCurves::Along::edited);
+        }
         graphs.emplace(skins.mesh(0), schedule.radius, options.levels, options.seed);
         for (int k = 1; k < count(); ++k) {
             Fitted& target = models[static_cast<std::size_t>(k)];
@@ -229,6 +241,13 @@ struct MatchSession::State {
         for (const int marker : skins.marker) flags.push_back(marker >= 0);
         return flags;
     }
+    /// On the source's skin its sharp curves stay where they are, too.
+    [[nodiscard]] std::vector<char> locked_on_source() const {
+        std::vector<char> flags = locked();
+        if (skins.curves)
+            for (int v = 0; v < skins.vertex_count(); ++v) flags[v] = flags[v] || skins.curves->tied(v);
+        return flags;
+    }
 
     /// On to the next skin. @returns false after the last
     bool next_model() {
@@ -266,9 +285,10 @@ struct MatchSession::State {
         present_points() = at.carrier->points();
     }
 
-    void mend(Points& points, int rounds) {
+    void mend(int k, int rounds) {
+        Points& points = skins.points[static_cast<std::size_t>(k)];
         TriangleMesh mesh{std::move(points), skins.triangles};
-        (void)untangle(mesh, locked(), rounds);
+        (void)untangle(mesh, k == 0 ? locked_on_source() : locked(), rounds);
         points = std::move(mesh.points);
     }
 
@@ -318,7 +338,7 @@ struct MatchSession::State {
         settled = change.sum() <= k_settled * 3 * skins.vertex_count();
         full = full || skins.vertex_count() >= edges.most_vertices;
         // Edits may have made a few triangles meet. More than a few rounds would smooth away what is meant to be thin.
-        for (Points& points : skins.points) mend(points, k_mending_rounds);
+        for (int k = 0; k < count(); ++k) mend(k, k_mending_rounds);
         find_masked();
         fine.reset();
         for (Fitted& each : models) each.guard.reset();
@@ -351,13 +371,27 @@ struct MatchSession::State {
     }
 
     /// The source's skin began on its model, and stays there even where that is masked.
-    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) { return on_surface(source().surface(), skin, least_cosine, locked(), true); }
+    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) { return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true); }
 
     void project() {
         take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
         if (next_model()) return;
         if (iteration == 0 && changes.any()) take_source_step(on_source(skins.mesh(0), k_projection_cosine));
-        if (++iteration == k_projections) next(Stage::done);
+        if (++iteration < k_projections) return;
+        next(has_sharp() ? Stage::sharp : Stage::done);
+        model = 0;
+    }
+
+    [[nodiscard]] bool has_sharp() const {
+        return std::any_of(models.begin(), models.end(), [](const Fitted& each) { return !each.sharp.empty(); });
+    }
+
+    void track_sharp() {
+        Points& points = present_points();
+        TriangleMesh mesh{std::move(points), skins.triangles};
+        const bool more = present().sharp.step(mesh, present().surface(), skins.marker, edges.edge_length);
+        points = std::move(mesh.points);
+        if (!more && ++model == count()) next(Stage::done);
     }
 
     void advance() {
@@ -373,7 +407,7 @@ struct MatchSession::State {
             seconds.carry += watch.lap();
             break;
         case Stage::untangle:
-            mend(present_points(), k_untangling_rounds);
+            mend(model, k_untangling_rounds);
             if (!next_model()) next(Stage::fine);
             seconds.fine += watch.lap();
             break;
@@ -392,6 +426,10 @@ struct MatchSession::State {
         case Stage::project:
             project();
             seconds.fine += watch.lap();
+            break;
+        case Stage::sharp:
+            track_sharp();
+            seconds.sharp += watch.lap();
             break;
         case Stage::done: break;
         }
@@ -415,6 +453,16 @@ struct MatchSession::State {
             found.marker_error = std::max(found.marker_error, marker_error(skins, k, on.markers, on.placed));
             if (k > 0) found.flatness = std::min(found.flatness, found.skins.back().flatness = on.alignment.flatness);
             found.skins.back().bent = on.alignment.radial.has_value();
+            SkinReport& skin = found.skins.back();
+            if (stage == Stage::done && !on.sharp.empty()) {
+                const Points& points = skins.points[static_cast<std::size_t>(k)];
+                skin.sharp_curves = on.sharp.lines();
+                skin.sharp_failed = on.sharp.failed();
+                skin.sharp_error = on.placed.size.size * on.sharp.error(points);
+                for (const SharpPath& path : on.sharp.paths()) skin.sharp.push_back(path.curve.vertices);
+                warn("sharp-failed", k, skin.sharp_failed);
+                warn("sharp-held-back", k, on.sharp.farthest(points) > k_held_back * edges.edge_length);
+            }
             warn("crossings-left", k, k > 0 ? found.skins.back().crossings : 0);
             warn("step-refused", k, refused[static_cast<std::size_t>(k)]);
         }
@@ -445,7 +493,8 @@ bool MatchSession::step() {
 double MatchSession::fraction() const {
     const State& s = *state_;
     // Shares of the time as measured; of a fine step where edges change as much goes into those.
-    constexpr double carried = 0.35, fitted = 0.95, of_fit = 0.5;
+    constexpr double carried = 0.35, of_fit = 0.5;
+    const double projected = s.has_sharp() ? 0.8 : 1, fitted = projected - 0.05;
     const auto fine_step = [&](double part) { return carried + (fitted - carried) * (s.iteration + part) / s.options.fine_steps; };
     switch (s.stage) {
     case State::Stage::start: return 0;
@@ -454,7 +503,8 @@ double MatchSession::fraction() const {
     case State::Stage::fine: return fine_step(of_fit * s.part_of_models());
     case State::Stage::edges: return fine_step(of_fit);
     case State::Stage::relax: return fine_step(of_fit + (1 - of_fit) * (s.model > 0 ? 0.5 + 0.4 * s.part_of_models() : 0.9));
-    case State::Stage::project: return fitted + (1 - fitted) * (s.iteration + s.part_of_models()) / k_projections;
+    case State::Stage::project: return fitted + (projected - fitted) * (s.iteration + s.part_of_models()) / k_projections;
+    case State::Stage::sharp: return projected + (1 - projected) * (s.model + s.models[static_cast<std::size_t>(s.model)].sharp.fraction()) / s.count();
     case State::Stage::done: break;
     }
     return 1;

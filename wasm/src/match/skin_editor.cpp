@@ -30,7 +30,7 @@ double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 } // namespace
 
 SkinEditor::SkinEditor(const SkinSet& skins, std::vector<double> lengths, double longest)
-    : lengths_(std::move(lengths)), longest_(longest), marker_(skins.marker), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
+    : lengths_(std::move(lengths)), longest_(longest), marker_(skins.marker), curves_(skins.curves), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
     for (const Points& points : skins.points) {
         Places& places = points_.emplace_back();
         for (int v = 0; v < skins.vertex_count(); ++v) places.push_back(points.row(v));
@@ -105,7 +105,9 @@ Vector3d SkinEditor::normal(const Corners& corners, const Places& p) {
 bool SkinEditor::split(int a, int b) {
     const Sides at = sides(a, b);
     if (!at.sound || (at.left < 0 && at.right < 0)) return false;
+    if (curves_ && !curves_->may_split(a, b)) return false;
     const int middle = static_cast<int>(around_.size());
+    if (curves_) curves_->split(a, b, middle);
     for (Places& p : points_) p.push_back(((p[a] + p[b]) / 2).eval());
     lengths_.push_back((lengths_[a] + lengths_[b]) / 2);
     marker_.push_back(-1);
@@ -152,6 +154,17 @@ bool SkinEditor::collapse(int a, int b) {
         part = 0;
         if (marker_[b] >= 0 || (marker_[a] < 0 && border_b && !border_a)) std::swap(kept, taken);
     }
+    if (curves_) {
+        const EdgeCurves::Collapse of_curves = curves_->may_collapse(a, b);
+        if (!of_curves.allowed) return false;
+        if (of_curves.kept >= 0) {
+            const int other = of_curves.kept == a ? b : a;
+            if (marker_[other] >= 0 || (part == 0 && kept == other)) return false; // a border or a marker must stay, too
+            kept = of_curves.kept;
+            taken = other;
+            part = 0;
+        }
+    }
     const std::vector<int> ring_a = ring(a), ring_b = ring(b);
     std::vector<int> common;
     std::set_intersection(ring_a.begin(), ring_a.end(), ring_b.begin(), ring_b.end(), std::back_inserter(common));
@@ -172,6 +185,7 @@ bool SkinEditor::collapse(int a, int b) {
         std::replace(corners.begin(), corners.end(), taken, kept);
         replace(t, corners);
     }
+    if (curves_) curves_->collapse(kept, taken);
     --vertices_;
     return true;
 }
@@ -180,7 +194,7 @@ bool SkinEditor::swap_if_better(int a, int b) {
     const Sides at = sides(a, b);
     if (!at.inner()) return false;
     const int p = at.left_corner, q = at.right_corner;
-    if (p == q) return false;
+    if (p == q || (curves_ && !curves_->may_swap(a, b))) return false;
     // Criterion 3: the largest angle has the smallest cosine.
     double before = 1, after = 1;
     for (const Places& x : points_) {
@@ -212,6 +226,8 @@ SkinSet SkinEditor::take() const {
         place[v] = skins.vertex_count();
         skins.marker.push_back(marker_[v]);
     }
+    skins.curves = curves_;
+    if (skins.curves) skins.curves->renumber(place, skins.vertex_count());
     for (const Places& p : points_) {
         Points& points = skins.points.emplace_back(skins.vertex_count(), 3);
         for (std::size_t v = 0; v < around_.size(); ++v)

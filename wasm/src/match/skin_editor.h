@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -55,6 +56,7 @@ private:
     double longest_;
     std::vector<Places> points_; ///< of each skin
     std::vector<int> marker_;
+    std::optional<EdgeCurves> curves_;
     std::vector<Corners> triangles_;
     std::vector<char> gone_;               ///< triangles
     std::vector<std::vector<int>> around_; ///< triangles at each vertex

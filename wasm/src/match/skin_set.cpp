@@ -118,7 +118,7 @@ Points relaxed_tangentially(const SkinSet& skins, int skin, double share) {
     const Points normals = vertex_normals(mesh);
     Points points = mesh.points;
     for (int v = 0; v < mesh.vertex_count(); ++v) {
-        if (skins.marker[v] >= 0) continue;
+        if (skins.marker[v] >= 0 || (skin == 0 && skins.curves && skins.curves->tied(v))) continue;
         RowVector3d move = share * (ring_mean(mesh.points, rings, v) - mesh.points.row(v));
         if (on_border[v]) { // along the border, by its two neighbours there; corners of more stay
             if (rings[v].size() != 2) continue;

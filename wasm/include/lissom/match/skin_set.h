@@ -1,7 +1,9 @@
 #pragma once
 
+#include "lissom/mesh/edge_curves.h"
 #include "lissom/mesh/types.h"
 
+#include <optional>
 #include <vector>
 
 namespace lissom {
@@ -11,6 +13,7 @@ struct SkinSet {
     Triangles triangles;
     std::vector<Points> points; ///< of each skin; the source's first
     std::vector<int> marker;    ///< per vertex the marker that it is, or −1: never moved, never taken away
+    std::optional<EdgeCurves> curves = {}; ///< of the source's sharp edges, its vertices those of the skins: edits keep them (Criteria 4 to 8), and on the source's skin they do not move
 
     [[nodiscard]] int vertex_count() const { return static_cast<int>(marker.size()); }
     [[nodiscard]] int count() const { return static_cast<int>(points.size()); }
@@ -46,7 +49,7 @@ struct ConnectivityChange {
 /// Cost: sorting the edges.
 ConnectivityChange improve_connectivity(SkinSet& skins, const ConnectivityOptions& options);
 
-/// Where the vertices of one skin go that each move a `share` of the way to the mean of their ring within their tangent plane, on a border along it; markers stay.
+/// Where the vertices of one skin go that each move a `share` of the way to the mean of their ring within their tangent plane, on a border along it; markers stay, and on the source's skin its sharp curves.
 /// The weights are the *same* on every skin, so that what belongs together stays together to first order.
 [[nodiscard]] Points relaxed_tangentially(const SkinSet& skins, int skin, double share = 0.3);
 
