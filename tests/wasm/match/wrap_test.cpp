@@ -88,6 +88,7 @@ TEST_CASE("a genus that there is not is told, and webs where parts come near") {
     // Two bars side by side, the gap a little narrower than twice the radius.
     const TriangleMesh bars = shapes::joined({shapes::box(4, 20, 4, {0.2, 1, 0.2}), shapes::moved(shapes::box(4, 20, 4, {0.2, 1, 0.2}), Eigen::Affine3d(Eigen::Translation3d(0.244, 0, 0)))});
     const Wrapped webbed = wrap(bars, {.cells = 60});
+    MESSAGE("bars: radius " << webbed.radius << ", genus " << webbed.genus << ", vertices " << webbed.mesh.vertex_count() << ", webs " << webbed.webs);
     CHECK(webbed.webs > 0);
     CHECK_FALSE(webbed.web_examples.empty());
     // Two balls far apart: the other is told.

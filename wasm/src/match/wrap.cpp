@@ -33,7 +33,7 @@ constexpr int k_block = 8;                 // nodes along a side
 constexpr int k_blocks_a_slice = 60;
 /// Growth of the fill from radius to radius, by that of a surface that moves outwards, above which the flood had run inside.
 constexpr double k_jump = 2.5;
-constexpr double k_web_slope = 0.6;        // |∇d| between two sheets that lie more than 106 degrees apart as seen from there
+constexpr double k_web_slope = 0.65;       // |∇d| between two sheets that lie more than 99 degrees apart as seen from there; in a right angle it is 0.71
 constexpr int k_vertices = 10000;
 
 struct Shell {
@@ -241,7 +241,7 @@ struct Wrapper::State {
     /// Where the nearest places lie on different sides, the distance's slope is less than one.
     void find_webs() {
         const auto at = [&](const Vector3d& p) { return tree.nearest_where(p, std::numeric_limits<double>::infinity(), -1, [](int) { return true; }).distance; };
-        const double h = 0.25 * out.radius;
+        const double h = 0.5 * out.radius;
         for (int v = 0; v < out.mesh.vertex_count(); ++v) {
             const Vector3d p = out.mesh.points.row(v);
             Vector3d slope;
