@@ -72,7 +72,7 @@ const SHARED = [
 ];
 
 /** What the browser calls its own things, whatever wings are called. */
-const PLATFORM = /\bdataTransfer\b/g;
+const PLATFORM = /\b(dataTransfer|matchMedia)\b/g;
 
 /** @returns the lines of a shared file that say the name of a wing */
 export function namings(file: string, source: string, wings: readonly string[]): string[] {

@@ -5,13 +5,14 @@ import app from './locales/en/app.json';
 import type curves from './locales/en/curves.json';
 import type deform from './locales/en/deform.json';
 import type hair from './locales/en/hair.json';
+import type match from './locales/en/match.json';
 import type merge from './locales/en/merge.json';
 import type transfer from './locales/en/transfer.json';
 import ui from './locales/en/ui.json';
 import wings from './locales/en/wings.json';
 
 /** One name per wing: the registry of words. */
-type WingWords = typeof curves & typeof deform & typeof hair & typeof merge & typeof transfer;
+type WingWords = typeof curves & typeof deform & typeof hair & typeof match & typeof merge & typeof transfer;
 type Words = typeof app & typeof ui & WingWords;
 type WingId = keyof typeof wings;
 
