@@ -21,6 +21,8 @@ export interface MatchFigures {
   readonly flipped: Readonly<Record<string, number>>;
   readonly folds: Readonly<Record<string, number>>;
   readonly selfIntersections: Readonly<Record<string, number>>;
+  /** By model, of those with sharp edges. */
+  readonly sharp: Readonly<Record<string, NonNullable<SkinFigures['sharp']>>>;
   readonly iterations: number;
 }
 
@@ -72,7 +74,8 @@ export const matchRunner = {
 
   async run(step, context): Promise<StepOutcome<MatchFigures>> {
     const { inputs, onProgress, onLook } = context;
-    const markers = step.markers.filter(isWhole);
+    const numbers = [...step.markers.keys()].filter((number) => isWhole(step.markers[number]!));
+    const markers = numbers.map((number) => step.markers[number]!);
     const curves = (step.curves ?? []).filter(isDrawn);
     const models = inputs.map(({ model, opened }, at) => ({
       model: opened.id,
@@ -109,13 +112,18 @@ export const matchRunner = {
         flipped: byName((at) => figures[at]!.flipped),
         folds: byName((at) => figures[at]!.folds),
         selfIntersections: byName((at) => figures[at]!.selfIntersections),
+        sharp: Object.fromEntries(
+          step.models.flatMap((name, at) => (figures[at]!.sharp ? [[name, figures[at]!.sharp]] : [])),
+        ),
         iterations: matched.iterations,
       },
       seconds: { ...matched.seconds },
       peakBytes: matched.peakBytes,
       warnings: [
-        ...matched.warnings.map(({ model, ...rest }) => ({
+        ...matched.warnings.map(({ model, examples, ...rest }) => ({
           ...rest,
+          // The kernel counts the markers that are placed everywhere.
+          examples: rest.code.startsWith('markers-') ? examples.map((at) => numbers[at]!) : examples,
           ...(model >= 0 && { model: step.models[model]! }),
         })),
         ...leftOut(step),
