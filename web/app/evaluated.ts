@@ -36,6 +36,8 @@ export interface Evaluation {
   readonly shown: ModelResult;
   /** Where the vertices of the model on screen are. */
   readonly positions: Float64Array;
+  /** Who wears what is shown: it stands on screen in its place, and what is shown is laid over it. */
+  readonly wearer: ModelResult | null;
   /** How the graphics card moves the model on screen meanwhile; `null`: it is where `positions` say. */
   readonly moved: Moved | null;
   /** Of a step that grows some. */
@@ -52,7 +54,7 @@ export interface Evaluation {
 
 /** What a strategy makes of a step; the rest of an evaluation is the evaluator's. */
 export type Outcome = Pick<Evaluation, 'inputs' | 'shown' | 'positions'> &
-  Partial<Pick<Evaluation, 'moved' | 'strands' | 'report' | 'problem' | 'settled'>>;
+  Partial<Pick<Evaluation, 'wearer' | 'moved' | 'strands' | 'report' | 'problem' | 'settled'>>;
 
 /** A state of the open step that is to be shown. */
 export interface Request<S extends Step = Step> {

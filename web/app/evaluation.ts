@@ -102,6 +102,7 @@ export class Evaluator implements EvaluatorPort {
     const started = performance.now();
     const busy = busySign(this.parts.state.busy, t(strategy.busy), () => this.#stopped());
     const evaluation = (outcome: Outcome): Evaluation => ({
+      wearer: null,
       moved: null,
       strands: null,
       report: null,

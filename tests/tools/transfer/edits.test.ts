@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
 import { newTransferStep } from '../../../web/recipe/steps/transfer';
-import { counterpartAt, holds, nextOpen, pairing, setCounterpart } from '../../../web/tools/transfer/edits';
+import { holds } from '../../../web/core/vertex-set';
+import { counterpartAt, nextOpen, pairing, setCounterpart } from '../../../web/tools/transfer/edits';
 import { region } from './chair';
 
 const step = {

@@ -1,6 +1,17 @@
 import * as v from 'valibot';
 import { MAX_COORDINATE } from '../limits';
-import { between, index, length, listUpTo, severalReference, stepId, vec3, vertexSet } from '../schema-parts';
+import {
+  between,
+  index,
+  itemName,
+  length,
+  listUpTo,
+  memberName,
+  severalReference,
+  stepId,
+  vec3,
+  vertexSet,
+} from '../schema-parts';
 import type { Member } from '../step-row';
 
 /** Beyond that a blend is a caricature of a caricature. */
@@ -10,14 +21,10 @@ export const MAX_MEASURES = 50;
 /** Vertices of one loop or path. */
 export const MAX_MEASURED = 10_000;
 
-/** One of the models that the match step names. */
-export const memberName = v.pipe(
-  v.string(),
-  v.minLength(1, 'a name'),
-  v.maxLength(200, 'a name of at most 200 characters'),
-);
+const name = v.optional(itemName);
 
 const part = v.strictObject({
+  name,
   /** Whose shape it takes. */
   from: memberName,
   /** Of the skins. */
@@ -34,13 +41,14 @@ const hull = v.optional(v.boolean(), false);
 
 const kinds = v.variant('kind', [
   /** Extent along a direction. */
-  v.strictObject({ kind: v.literal('height'), up: v.optional(vec3, [0, 1, 0]), value }),
+  v.strictObject({ kind: v.literal('height'), name, up: v.optional(vec3, [0, 1, 0]), value }),
   /**
    * Length of a closed line: where the plane through a vertex of the skins, square to `normal`, cuts them around that vertex, or
    * through vertices. `hull`: as a tape would lie, over hollows.
    */
   v.strictObject({
     kind: v.literal('girth'),
+    name,
     vertex: v.optional(index),
     normal: v.optional(vec3, [0, 1, 0]),
     loop: v.optional(listUpTo(MAX_MEASURED, index)),
@@ -50,6 +58,7 @@ const kinds = v.variant('kind', [
   /** Along straight lines from vertex to vertex. */
   v.strictObject({
     kind: v.literal('length'),
+    name,
     path: v.pipe(listUpTo(MAX_MEASURED, index), v.minLength(2, 'two vertices or more')),
     value,
   }),

@@ -1,7 +1,6 @@
 import * as v from 'valibot';
-import { coordinate, reference, severalReference, stepId } from '../schema-parts';
+import { coordinate, memberName, reference, severalReference, stepId } from '../schema-parts';
 import type { Member } from '../step-row';
-import { memberName } from './blend';
 
 /** A garment, or a shoe, made for one model, worn by another that a match step brought to one connectivity with it (Skins 5.2). */
 export const dressStep = v.strictObject({

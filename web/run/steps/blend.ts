@@ -43,9 +43,11 @@ export const blendRunner = {
 
   vertexCount: ([skin]) => skin?.vertices,
 
-  content: ({ id: _id, match: _match, parts, ...rest }) => ({
+  /** What parts and measures are called changes nothing. */
+  content: ({ id: _id, match: _match, parts, measures, ...rest }) => ({
     ...rest,
-    parts: parts.map(({ vertices, ...part }) => ({ ...part, vertices: vertexSetKey(vertices) })),
+    parts: parts.map(({ vertices, name: _name, ...part }) => ({ ...part, vertices: vertexSetKey(vertices) })),
+    measures: measures.map(({ name: _name, ...measure }) => measure),
   }),
 
   async run(step, context): Promise<StepOutcome<BlendFigures>> {
