@@ -183,3 +183,34 @@ export const EXAMPLES: readonly object[] = [DEFORM, MERGE, HAIR, TRANSFER, CURVE
 function ring(count: number): number[] {
   return Array.from({ length: count }, (_, i) => i);
 }
+
+/** Of two balls cut differently: see `tests/kernel/balls.ts`. */
+export const MATCH = {
+  lissom: 1,
+  models: { m: { builtin: 'bar' }, t: { builtin: 'block' } },
+  steps: [
+    {
+      id: 'm1',
+      type: 'match',
+      models: ['m', 't'],
+      markers: [
+        [0, 0],
+        [30, { face: 5, at: [0.2, 0.3, 0.5] }],
+        [60, 70],
+        [{ point: [0.1, -0.9, 0] }, { point: [0, -0.9, 0.1] }],
+      ],
+      edgeLength: 0.5,
+      adapt: 0.2,
+      sharpAngle: 60,
+      curves: [
+        [
+          [3, 4, 5],
+          [4, 5],
+        ],
+      ],
+      mask: [[7, 8], { ranges: [[20, 24]] }],
+      start: 'automatic',
+    },
+  ],
+  outputs: [{ step: 'm1/m', file: 'o.ply' }],
+};

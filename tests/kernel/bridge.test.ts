@@ -108,6 +108,37 @@ test('progress is reported at most every 50 ms', async () => {
   );
 });
 
+test('what is being made is shown every quarter of a second, to who looks, and never after a cancel', async () => {
+  let time = 0;
+  const look = { triangles: Uint32Array.of(0, 1, 2), positions: [] };
+  const show = vi.fn();
+  const job = new Job(
+    new AbortController().signal,
+    () => {},
+    () => time,
+    show,
+  );
+  for (; time < 1000; time += 10) job.look(() => look);
+  expect(show).toHaveBeenCalledTimes(3);
+
+  const match = async (_: unknown, making: Job) => {
+    for (;;) {
+      making.look(() => look);
+      await making.checkpoint(0);
+    }
+  };
+  const { client } = bridge({ match });
+  const abort = new AbortController();
+  const seen: unknown[] = [];
+  const onLook = (shown: unknown) => {
+    seen.push(shown);
+    abort.abort();
+  };
+  const call = client.call('match', { models: [], options: {} }, { signal: abort.signal, onLook });
+  await expect(call).rejects.toMatchObject({ code: 'cancelled' });
+  expect(seen).toEqual([look]);
+});
+
 test('of a burst of superseded requests only the newest is ever begun', async () => {
   const begun: number[] = [];
   const { client } = bridge({

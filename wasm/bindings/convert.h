@@ -73,19 +73,22 @@ inline val uint32_array(const int* numbers, std::size_t length) {
     return typed_array(reinterpret_cast<const unsigned*>(numbers), length);
 }
 
-/// Import findings and step warnings, as `Finding` of web/core/errors.ts.
+/// As `Finding` of web/core/errors.ts.
+inline val finding(const lissom::Finding& found) {
+    val examples = val::array();
+    for (const int index : found.examples) examples.call<void>("push", index);
+    val one = val::object();
+    one.set("code", found.code);
+    one.set("count", found.count);
+    one.set("examples", examples);
+    one.set("repaired", found.repaired);
+    return one;
+}
+
+/// Import findings and step warnings.
 inline val findings(const std::vector<lissom::Finding>& list) {
     val result = val::array();
-    for (const lissom::Finding& finding : list) {
-        val examples = val::array();
-        for (const int index : finding.examples) examples.call<void>("push", index);
-        val one = val::object();
-        one.set("code", finding.code);
-        one.set("count", finding.count);
-        one.set("examples", examples);
-        one.set("repaired", finding.repaired);
-        result.call<void>("push", one);
-    }
+    for (const lissom::Finding& each : list) result.call<void>("push", finding(each));
     return result;
 }
 

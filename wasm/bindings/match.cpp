@@ -18,6 +18,7 @@ namespace {
 struct HeldMatch {
     std::vector<std::shared_ptr<lissom::WorkingMesh>> models;
     lissom::MatchSession session;
+    int iterations = 0; ///< of carrying, fitting and changing edges
 };
 
 lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& source) {
@@ -29,14 +30,27 @@ lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& 
     return options;
 }
 
+std::vector<lissom::MatchModel> match_models(const std::vector<std::shared_ptr<lissom::WorkingMesh>>& models, const val& marked) {
+    std::vector<lissom::MatchModel> all;
+    for (std::size_t k = 0; k < models.size(); ++k) all.push_back({models[k].get(), points(marked[k]["markers"])});
+    return all;
+}
+
 // new MatchSession(models: WorkingMesh[], marked: { markers, … }[], options)
 HeldMatch* prepare(const val& list, const val& marked, const val& options) {
     return guarded([&] {
         std::vector<std::shared_ptr<lissom::WorkingMesh>> models;
         for (const val& one : vecFromJSArray<val>(list)) models.push_back(one.as<std::shared_ptr<lissom::WorkingMesh>>());
-        if (models.size() != 2) throw lissom::InvalidInput("bad-option", "A match takes two models.");
-        const lissom::WorkingMesh &source = *models[0], &target = *models[1];
-        return new HeldMatch{models, lissom::MatchSession(source, target, points(marked[0]["markers"]), points(marked[1]["markers"]), match_options(options, source))};
+        if (models.empty()) throw lissom::InvalidInput("model-count", "There is no model to match.");
+        return new HeldMatch{models, lissom::MatchSession(match_models(models, marked), match_options(options, *models.front()))};
+    });
+}
+
+// step() → whether there is more
+bool advance(HeldMatch& held) {
+    return guarded([&] {
+        ++held.iterations;
+        return held.session.step();
     });
 }
 
@@ -45,8 +59,7 @@ val look(const HeldMatch& held) {
     return guarded([&] {
         const lissom::Triangles& triangles = held.session.triangles();
         val positions = val::array();
-        positions.call<void>("push", float64_array(held.session.target_positions()));
-        positions.call<void>("push", float64_array(held.session.target_positions()));
+        for (std::size_t k = 0; k < held.models.size(); ++k) positions.call<void>("push", float64_array(held.session.positions(static_cast<int>(k))));
         val result = val::object();
         result.set("triangles", uint32_array(triangles.data(), static_cast<std::size_t>(triangles.size())));
         result.set("positions", positions);
@@ -54,16 +67,27 @@ val look(const HeldMatch& held) {
     });
 }
 
-val skin_figures(const lissom::SurfaceDistances& distances, int flipped, int folds, int crossings) {
+// What SkinFigures of web/kernel/contract/match.ts says of one skin.
+val skin_figures(const lissom::SkinReport& skin) {
     val distance = val::object();
-    distance.set("mean", distances.mean_there);
-    distance.set("back", distances.mean_back);
-    distance.set("p99", distances.most);
+    distance.set("mean", skin.distances.mean_there);
+    distance.set("back", skin.distances.mean_back);
+    distance.set("p99", skin.distances.most);
     val result = val::object();
     result.set("distance", distance);
-    result.set("flipped", flipped);
-    result.set("folds", folds);
-    result.set("selfIntersections", crossings);
+    result.set("flipped", skin.flipped);
+    result.set("folds", skin.folds);
+    result.set("selfIntersections", skin.crossings);
+    return result;
+}
+
+val match_warnings(const std::vector<lissom::MatchWarning>& warnings) {
+    val result = val::array();
+    for (const lissom::MatchWarning& warning : warnings) {
+        val one = finding({warning.code, warning.count, warning.examples, false});
+        one.set("model", warning.model);
+        result.call<void>("push", one);
+    }
     return result;
 }
 
@@ -73,14 +97,12 @@ val result(const HeldMatch& held) {
         const lissom::MatchResult found = held.session.result();
         const lissom::MatchReport& report = found.report;
         val positions = val::array(), figures = val::array(), residuals = val::array(), poorest = val::array();
-        positions.call<void>("push", float64_array(found.skins.source));
-        positions.call<void>("push", float64_array(found.skins.target));
-        figures.call<void>("push", skin_figures(report.source, 0, report.source_folds, report.source_crossings));
-        figures.call<void>("push", skin_figures(report.target, report.flipped, report.target_folds, report.target_crossings));
-        const std::vector<float> none(report.residuals.size(), 0.0f);
-        residuals.call<void>("push", typed_array(none.data(), none.size()));
-        residuals.call<void>("push", typed_array(report.residuals.data(), report.residuals.size()));
-        for (int k = 0; k < 2; ++k) poorest.call<void>("push", uint32_array(nullptr, 0));
+        for (const lissom::Points& skin : found.skins.points) positions.call<void>("push", float64_array(skin));
+        for (const lissom::SkinReport& skin : report.skins) {
+            figures.call<void>("push", skin_figures(skin));
+            residuals.call<void>("push", typed_array(skin.residuals.data(), skin.residuals.size()));
+            poorest.call<void>("push", uint32_array(nullptr, 0));
+        }
         val seconds = val::object();
         seconds.set("start", report.seconds.start);
         seconds.set("carry", report.seconds.carry);
@@ -96,8 +118,8 @@ val result(const HeldMatch& held) {
         answer.set("poorest", poorest);
         answer.set("markerVertices", uint32_array(found.marker_vertices.data(), found.marker_vertices.size()));
         answer.set("markerError", report.marker_error);
-        answer.set("iterations", 0);
-        answer.set("warnings", findings(report.warnings));
+        answer.set("iterations", held.iterations);
+        answer.set("warnings", match_warnings(report.warnings));
         answer.set("seconds", seconds);
         return answer;
     });
@@ -129,7 +151,7 @@ EMSCRIPTEN_BINDINGS(match) {
     function("guessPlace", &guess_place);
     class_<HeldMatch>("MatchSession")
         .constructor(&prepare, allow_raw_pointers())
-        .function("step", &bindings::step<HeldMatch>)
+        .function("step", &advance)
         .function("fraction", &bindings::fraction<HeldMatch>)
         .function("look", &look)
         .function("result", &result);

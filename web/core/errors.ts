@@ -26,4 +26,6 @@ export interface Finding {
   readonly count: number;
   readonly examples: readonly number[];
   readonly repaired: boolean;
+  /** The model it is about, where it is about one of several. */
+  readonly model?: string;
 }

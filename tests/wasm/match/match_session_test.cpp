@@ -22,7 +22,7 @@ namespace {
 /// Runs a match to its end.
 MatchResult matched(const TriangleMesh& source, const TriangleMesh& target, const Points& from, const Points& to, const MatchOptions& options = {}) {
     const WorkingMesh a = shapes::working(source), b = shapes::working(target);
-    MatchSession session(a, b, from, to, options);
+    MatchSession session({{&a, from}, {&b, to}}, options);
     double before = 0;
     while (session.step()) {
         CHECK(session.fraction() >= before);
@@ -56,7 +56,7 @@ Points some(const TriangleMesh& mesh, int count = 12) {
 Affine3d placed(double scale) { return Eigen::Translation3d(scale * Vector3d(3, -2, 7)) * Eigen::AngleAxisd(2.3, Vector3d(1, -2, 3).normalized()) * Eigen::Scaling(scale); }
 
 bool has(const MatchReport& report, const std::string& code) {
-    return std::any_of(report.warnings.begin(), report.warnings.end(), [&](const Finding& w) { return w.code == code; });
+    return std::any_of(report.warnings.begin(), report.warnings.end(), [&](const MatchWarning& w) { return w.code == code; });
 }
 
 } // namespace
@@ -69,14 +69,14 @@ TEST_CASE("a model matched to itself is itself, with and without changes of edge
             const MatchResult result = matched(mesh, mesh, some(mesh, count), some(mesh, count), {.connectivity = connectivity});
             const double D = diagonal(mesh.points);
             // Both skins are kept on their model by ways of their own once edges change: they slide by a little of an edge against each other.
-            CHECK((result.skins.source - result.skins.target).rowwise().norm().maxCoeff() < (connectivity ? 0.1 * mean_edge_length(mesh) : 1e-9 * D));
+            CHECK((result.skins.points[0] - result.skins.points[1]).rowwise().norm().maxCoeff() < (connectivity ? 0.1 * mean_edge_length(mesh) : 1e-9 * D));
             if (!connectivity) {
                 CHECK(result.skins.triangles == mesh.triangles);
-                CHECK((result.skins.target - mesh.points).rowwise().norm().maxCoeff() < 1e-9 * D);
+                CHECK((result.skins.points[1] - mesh.points).rowwise().norm().maxCoeff() < 1e-9 * D);
             }
             CHECK(result.report.marker_error < 1e-12);
-            CHECK(result.report.target.mean_there < 3e-3);
-            CHECK(result.report.flipped == 0);
+            CHECK(result.report.skins[1].distances.mean_there < 3e-3);
+            CHECK(result.report.skins[1].flipped == 0);
         }
 }
 
@@ -84,33 +84,73 @@ TEST_CASE("two figures: skins of one connectivity on both, markers met, nothing 
     const TriangleMesh a = figure(), b = figure(0.5);
     const MatchResult result = matched(a, b, some(a), some(b));
     const MatchReport& report = result.report;
-    MESSAGE("distances " << report.target.mean_there << " / " << report.target.mean_back << ", 99 % " << report.target.most << ", source's " << report.source.mean_there << " / "
-                         << report.source.mean_back << ", folds " << report.target_folds << ", " << report.connectivity.splits << " splits, " << report.connectivity.collapses
+    MESSAGE("distances " << report.skins[1].distances.mean_there << " / " << report.skins[1].distances.mean_back << ", 99 % " << report.skins[1].distances.most << ", source's " << report.skins[0].distances.mean_there << " / "
+                         << report.skins[0].distances.mean_back << ", folds " << report.skins[1].folds << ", " << report.connectivity.splits << " splits, " << report.connectivity.collapses
                          << " collapses, " << report.connectivity.swaps << " swaps, " << report.seconds.sum() << " s");
-    CHECK(result.skins.source.rows() == result.skins.target.rows());
+    CHECK(result.skins.points[0].rows() == result.skins.points[1].rows());
     CHECK(report.marker_error < 1e-12);
-    CHECK(report.source_crossings == 0);
-    CHECK(report.target_crossings == 0);
-    CHECK(report.flipped == 0);
-    CHECK(report.target.mean_there < 8e-4);
-    CHECK(report.target.mean_back < 8e-4);
-    CHECK(report.target.most < 0.005);
-    CHECK(report.source.most < 0.005);
-    CHECK(report.bent);
+    CHECK(report.skins[0].crossings == 0);
+    CHECK(report.skins[1].crossings == 0);
+    CHECK(report.skins[1].flipped == 0);
+    CHECK(report.skins[1].distances.mean_there < 8e-4);
+    CHECK(report.skins[1].distances.mean_back < 8e-4);
+    CHECK(report.skins[1].distances.most < 0.005);
+    CHECK(report.skins[0].distances.most < 0.005);
+    CHECK(report.skins[1].bent);
     CHECK(report.connectivity.any());
-    CHECK(std::ssize(report.residuals) == result.skins.vertex_count());
-    CHECK(euler_characteristic(result.skins.source_mesh()) == 2);
+    CHECK(std::ssize(report.skins[1].residuals) == result.skins.vertex_count());
+    CHECK(euler_characteristic(result.skins.mesh(0)) == 2);
     for (int m = 0; m < 12; ++m) {
         const int v = result.marker_vertices[static_cast<std::size_t>(m)];
-        CHECK((result.skins.source.row(v) - a.points.row(m)).norm() < 1e-12 * diagonal(a.points));
-        CHECK((result.skins.target.row(v) - b.points.row(m)).norm() < 1e-12 * diagonal(b.points));
+        CHECK((result.skins.points[0].row(v) - a.points.row(m)).norm() < 1e-12 * diagonal(a.points));
+        CHECK((result.skins.points[1].row(v) - b.points.row(m)).norm() < 1e-12 * diagonal(b.points));
     }
+}
+
+TEST_CASE("four figures get skins of one connectivity at once") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.5, 3), c = figure(-0.3, 4), d = figure(0.2, 3);
+    std::vector<WorkingMesh> working;
+    for (const TriangleMesh* mesh : {&a, &b, &c, &d}) working.push_back(shapes::working(*mesh));
+    MatchSession session({{&working[0], some(a)}, {&working[1], some(b)}, {&working[2], some(c)}, {&working[3], some(d)}});
+    CHECK(session.positions(3).rows() == 0);
+    double before = 0;
+    while (session.step()) {
+        CHECK(session.fraction() >= before);
+        before = session.fraction();
+        for (int k = 0; k < 4; ++k) CHECK(session.positions(k).rows() == session.positions(0).rows());
+    }
+    CHECK(session.fraction() == 1);
+    const MatchResult result = session.result();
+    REQUIRE(result.skins.count() == 4);
+    REQUIRE(result.report.skins.size() == 4);
+    CHECK(result.report.connectivity.any());
+    CHECK(result.report.marker_error < 1e-12);
+    for (const SkinReport& skin : result.report.skins) {
+        CHECK(skin.crossings == 0);
+        CHECK(skin.flipped == 0);
+        CHECK(skin.distances.mean_there < 3e-3); // of edges as long as the model is coarse
+        CHECK(skin.distances.mean_back < 3e-3);
+        CHECK(std::ssize(skin.residuals) == result.skins.vertex_count());
+    }
+}
+
+TEST_CASE("a target is carried the same whatever the other targets are: only edges know of one another") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.5, 3), c = figure(-0.3, 3);
+    const MatchOptions options{.connectivity = false, .levels = 2, .fine_steps = 4};
+    const WorkingMesh s = shapes::working(a), t = shapes::working(b), u = shapes::working(c);
+    MatchSession session({{&s, some(a)}, {&t, some(b)}, {&u, some(c)}}, options);
+    while (session.step()) {
+    }
+    const SkinSet together = session.result().skins;
+    const MatchResult first = matched(a, b, some(a), some(b), options), second = matched(a, c, some(a), some(c), options);
+    CHECK((together.points[1] - first.skins.points[1]).rowwise().norm().maxCoeff() < 1e-9);
+    CHECK((together.points[2] - second.skins.points[1]).rowwise().norm().maxCoeff() < 1e-9);
 }
 
 TEST_CASE("what lies between markers corresponds: vertices find their own image") {
     const TriangleMesh a = figure(), b = figure(0.5);
     const MatchResult result = matched(a, b, some(a), some(b), {.connectivity = false});
-    const double apart = (result.skins.target - b.points).rowwise().norm().mean() / diagonal(b.points);
+    const double apart = (result.skins.points[1] - b.points).rowwise().norm().mean() / diagonal(b.points);
     MESSAGE("mean " << apart << " of the diagonal from the true image");
     CHECK(apart < 0.004);
 }
@@ -124,8 +164,8 @@ TEST_CASE("scaling, turning and moving either model goes along") {
         const MatchResult there = matched(c, d, some(c), some(d));
         REQUIRE(here.skins.triangles.rows() == there.skins.triangles.rows());
         CHECK(here.skins.triangles == there.skins.triangles);
-        CHECK((shapes::moved(here.skins.source_mesh(), placed(scale)).points - there.skins.source).rowwise().norm().maxCoeff() < 1e-9 * diagonal(c.points));
-        CHECK((shapes::moved(here.skins.target_mesh(), placed(3 / scale)).points - there.skins.target).rowwise().norm().maxCoeff() < 1e-9 * diagonal(d.points));
+        CHECK((shapes::moved(here.skins.mesh(0), placed(scale)).points - there.skins.points[0]).rowwise().norm().maxCoeff() < 1e-9 * diagonal(c.points));
+        CHECK((shapes::moved(here.skins.mesh(1), placed(3 / scale)).points - there.skins.points[1]).rowwise().norm().maxCoeff() < 1e-9 * diagonal(d.points));
     }
 }
 
@@ -134,9 +174,9 @@ TEST_CASE("the same comes out every time, another seed makes little difference")
     const MatchResult once = matched(a, b, some(a), some(b), {.levels = 2, .fine_steps = 7}), twice = matched(a, b, some(a), some(b), {.levels = 2, .fine_steps = 7}),
                       other = matched(a, b, some(a), some(b), {.levels = 2, .fine_steps = 7, .seed = 7});
     CHECK(once.skins.triangles == twice.skins.triangles);
-    CHECK(once.skins.source == twice.skins.source);
-    CHECK(once.skins.target == twice.skins.target);
-    CHECK(other.report.target.mean_back < 2 * once.report.target.mean_back + 1e-4);
+    CHECK(once.skins.points[0] == twice.skins.points[0]);
+    CHECK(once.skins.points[1] == twice.skins.points[1]);
+    CHECK(other.report.skins[1].distances.mean_back < 2 * once.report.skins[1].distances.mean_back + 1e-4);
 }
 
 TEST_CASE("the target's connectivity does not matter: as a soup it gives nearly the same skin") {
@@ -146,11 +186,11 @@ TEST_CASE("the target's connectivity does not matter: as a soup it gives nearly 
     const double D = diagonal(b.points);
     const TriangleMesh torn = shapes::soup(b, 1e-4 * D);
     const MatchResult soup = matched(a, torn, some(a), some(b), options);
-    const double apart = (soup.skins.target - clean.skins.target).rowwise().norm().mean() / D;
+    const double apart = (soup.skins.points[1] - clean.skins.points[1]).rowwise().norm().mean() / D;
     MESSAGE("soup: mean " << apart << " of the diagonal from the clean target's skin");
     CHECK(apart < 5e-4);
-    CHECK(soup.report.target.mean_there < clean.report.target.mean_there + 2e-4);
-    CHECK(soup.report.target_crossings == 0);
+    CHECK(soup.report.skins[1].distances.mean_there < clean.report.skins[1].distances.mean_there + 2e-4);
+    CHECK(soup.report.skins[1].crossings == 0);
 }
 
 TEST_CASE("open models keep their borders on each other") {
@@ -163,11 +203,11 @@ TEST_CASE("open models keep their borders on each other") {
         return four;
     };
     const MatchResult result = matched(a, b, corners(a, 24), corners(b, 31));
-    CHECK(boundary_loops(result.skins.target_mesh()).size() == 1);
-    CHECK(result.report.target.mean_there < 1e-3);
-    CHECK(result.report.target.mean_back < 2e-3);
-    CHECK(result.report.target.most < 0.01);
-    CHECK(result.report.target_crossings == 0);
+    CHECK(boundary_loops(result.skins.mesh(1)).size() == 1);
+    CHECK(result.report.skins[1].distances.mean_there < 1e-3);
+    CHECK(result.report.skins[1].distances.mean_back < 2e-3);
+    CHECK(result.report.skins[1].distances.most < 0.01);
+    CHECK(result.report.skins[1].crossings == 0);
 }
 
 TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
@@ -184,16 +224,16 @@ TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
     const auto check = [&](const char* name, const Points& from, const Points& to) {
         CAPTURE(name);
         const MatchResult result = matched(a, b, from, to, {.levels = 2, .fine_steps = 4});
-        CHECK(result.skins.target.allFinite());
-        CHECK(std::isfinite(result.report.target.mean_there));
-        CHECK(result.report.target.mean_there < 0.02);
+        CHECK(result.skins.points[1].allFinite());
+        CHECK(std::isfinite(result.report.skins[1].distances.mean_there));
+        CHECK(result.report.skins[1].distances.mean_there < 0.02);
         return result.report;
     };
     for (const int n : {0, 1, 2, 3, 4}) (void)check("few", some(a, n), some(b, n));
     const auto flat = [](const Vector3d& p) { return std::abs(p.z()) < 0.03; };
     const MatchReport of_flat = check("flat", pick(a, flat), pick(b, flat));
     CHECK(has(of_flat, "markers-flat"));
-    CHECK_FALSE(of_flat.bent);
+    CHECK_FALSE(of_flat.skins[1].bent);
     const auto one_side = [](const Vector3d& p) { return p.x() > 0.6; };
     (void)check("one side", pick(a, one_side), pick(b, one_side));
     Points same_from(6, 3), same_to(6, 3);
@@ -220,15 +260,15 @@ TEST_CASE("what is wrong with markers is said") {
 TEST_CASE("a match may be stopped at any step and still has skins and a report") {
     const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
     const WorkingMesh s = shapes::working(a), t = shapes::working(b);
-    MatchSession session(s, t, some(a), some(b));
+    MatchSession session({{&s, some(a)}, {&t, some(b)}});
     CHECK(refusal([&] { (void)session.result(); }) == "not-begun");
     int steps = 0;
     while (session.step())
         if (++steps % 25 == 1) {
             const MatchResult now = session.result();
-            CHECK(now.skins.target.allFinite());
+            CHECK(now.skins.points[1].allFinite());
             CHECK(has(now.report, "stopped-early"));
-            CHECK(session.target_positions().rows() == now.skins.vertex_count());
+            CHECK(session.positions(1).rows() == now.skins.vertex_count());
         }
     CHECK_FALSE(has(session.result().report, "stopped-early"));
     CHECK_FALSE(session.step());
@@ -248,18 +288,19 @@ TEST_CASE("models without area and options out of range are refused; broken mode
     TriangleMesh line = ball;
     line.points.rightCols(2).setZero();
     const WorkingMesh flat = shapes::working(line);
-    CHECK(refusal([&] { MatchSession(flat, good, none, none); }) == "flat-model");
-    CHECK(refusal([&] { MatchSession(good, flat, none, none); }) == "flat-model");
-    CHECK(refusal([&] { MatchSession(good, good, none, Points::Zero(1, 3)); }) == "marker-count");
-    CHECK(refusal([&] { MatchSession(good, good, Points::Constant(1, 3, std::nan("")), Points::Zero(1, 3)); }) == "non-finite-marker");
+    CHECK(refusal([&] { MatchSession({{&flat, none}, {&good, none}}); }) == "flat-model");
+    CHECK(refusal([&] { MatchSession({{&good, none}, {&flat, none}}); }) == "flat-model");
+    CHECK(refusal([&] { MatchSession({{&good, none}, {&good, Points::Zero(1, 3)}}); }) == "marker-count");
+    CHECK(refusal([&] { MatchSession({{&good, none}}); }) == "model-count");
+    CHECK(refusal([&] { MatchSession({{&good, Points::Constant(1, 3, std::nan(""))}, {&good, Points::Zero(1, 3)}}); }) == "non-finite-marker");
     for (const MatchOptions& options : {MatchOptions{.edge_length = -1}, MatchOptions{.levels = 0}, MatchOptions{.levels = 9}, MatchOptions{.fine_steps = 0}, MatchOptions{.most_vertices = -1}})
-        CHECK(refusal([&] { MatchSession(good, good, none, none, options); }) == "bad-option");
+        CHECK(refusal([&] { MatchSession({{&good, none}, {&good, none}}, options); }) == "bad-option");
     for (const auto& [name, broken] : shapes::eight_broken(ball)) {
         CAPTURE(name);
         for (const bool source : {false, true}) {
             const MatchResult result = matched(source ? broken : ball, source ? ball : broken, none, none, {.levels = 2, .fine_steps = 6});
-            CHECK(result.skins.source.allFinite());
-            CHECK(result.skins.target.allFinite());
+            CHECK(result.skins.points[0].allFinite());
+            CHECK(result.skins.points[1].allFinite());
         }
     }
 }

@@ -49,7 +49,7 @@ Points places(const TriangleMesh& mesh, const std::vector<int>& vertices) {
 Matched run(const TriangleMesh& source, const TriangleMesh& target, const Points& from, const Points& to, const MatchOptions& options) {
     const WorkingMesh a = shapes::working(source), b = shapes::working(target);
     Stopwatch watch;
-    MatchSession session(a, b, from, to, options);
+    MatchSession session({{&a, from}, {&b, to}}, options);
     while (session.step()) {
     }
     Matched matched{session.result(), 0};
@@ -57,8 +57,8 @@ Matched run(const TriangleMesh& source, const TriangleMesh& target, const Points
     return matched;
 }
 
-Error error(const SkinPair& skins, const TriangleMesh& source, const TriangleMesh& target) {
-    const TriangleMesh skin = skins.source_mesh(), other = skins.target_mesh();
+Error error(const SkinSet& skins, const TriangleMesh& source, const TriangleMesh& target) {
+    const TriangleMesh skin = skins.mesh(0), other = skins.mesh(1);
     const SurfaceSamples samples = sample_surface(skin, 20000);
     const Points here = samples.on(skin), there = samples.on(other);
     const TriangleTree tree(source);
@@ -83,11 +83,11 @@ std::string figures(const Matched& matched) {
     std::ostringstream line;
     line.precision(3);
     line << matched.result.skins.vertex_count() << " vertices, " << matched.seconds << " s (start " << r.seconds.start << ", carry " << r.seconds.carry << ", fine " << r.seconds.fine << ", edges "
-         << r.seconds.connectivity << ", report " << r.seconds.report << "), skin to model " << r.target.mean_there << ", back " << r.target.mean_back << ", 99 % " << r.target.most
-         << "; source's skin " << r.source.mean_there << ", " << r.source.mean_back << ", " << r.source.most << "; marker error " << r.marker_error << ", folds " << r.source_folds << " and "
-         << r.target_folds << ", crossings " << r.source_crossings << " and " << r.target_crossings << ", flipped " << r.flipped << ", start " << (r.bent ? "bent" : "similar") << " (flatness "
+         << r.seconds.connectivity << ", report " << r.seconds.report << "), skin to model " << r.skins[1].distances.mean_there << ", back " << r.skins[1].distances.mean_back << ", 99 % " << r.skins[1].distances.most
+         << "; source's skin " << r.skins[0].distances.mean_there << ", " << r.skins[0].distances.mean_back << ", " << r.skins[0].distances.most << "; marker error " << r.marker_error << ", folds " << r.skins[0].folds << " and "
+         << r.skins[1].folds << ", crossings " << r.skins[0].crossings << " and " << r.skins[1].crossings << ", flipped " << r.skins[1].flipped << ", start " << (r.skins[1].bent ? "bent" : "similar") << " (flatness "
          << r.flatness << "), edges +" << r.connectivity.splits << " -" << r.connectivity.collapses << " x" << r.connectivity.swaps;
-    for (const Finding& warning : r.warnings) line << ", " << warning.code << " " << warning.count;
+    for (const MatchWarning& warning : r.warnings) line << ", " << warning.code << " " << warning.count;
     return line.str();
 }
 

@@ -27,7 +27,7 @@ struct Error {
     double mean, most;
 };
 /// @param source,target  two members of a family: vertex i is vertex i; the skins lie on them
-[[nodiscard]] Error error(const lissom::SkinPair& skins, const lissom::TriangleMesh& source, const lissom::TriangleMesh& target);
+[[nodiscard]] Error error(const lissom::SkinSet& skins, const lissom::TriangleMesh& source, const lissom::TriangleMesh& target);
 
 /// One line of figures.
 [[nodiscard]] std::string figures(const Matched& matched);

@@ -28,11 +28,11 @@ double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 
 } // namespace
 
-SkinEditor::SkinEditor(const SkinPair& skins, double longest)
+SkinEditor::SkinEditor(const SkinSet& skins, double longest)
     : longest_(longest), marker_(skins.marker), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
-    for (int v = 0; v < skins.vertex_count(); ++v) {
-        points_[on_source].push_back(skins.source.row(v));
-        points_[on_target].push_back(skins.target.row(v));
+    for (const Points& points : skins.points) {
+        Places& places = points_.emplace_back();
+        for (int v = 0; v < skins.vertex_count(); ++v) places.push_back(points.row(v));
     }
     for (int t = 0; t < skins.triangles.rows(); ++t) {
         triangles_.push_back({skins.triangles(t, 0), skins.triangles(t, 1), skins.triangles(t, 2)});
@@ -97,8 +97,7 @@ std::vector<int> SkinEditor::ring(int v) const {
 /// Around an inner vertex every neighbour stands in two triangles.
 bool SkinEditor::on_border(int v) const { return ring(v).size() != around_[v].size(); }
 
-Vector3d SkinEditor::normal(const Corners& corners, Side side) const {
-    const auto& p = points_[side];
+Vector3d SkinEditor::normal(const Corners& corners, const Places& p) {
     return (p[corners[1]] - p[corners[0]]).cross(p[corners[2]] - p[corners[0]]);
 }
 
@@ -106,7 +105,7 @@ bool SkinEditor::split(int a, int b) {
     const Sides at = sides(a, b);
     if (!at.sound || (at.left < 0 && at.right < 0)) return false;
     const int middle = static_cast<int>(around_.size());
-    for (const Side side : {on_source, on_target}) points_[side].push_back((points_[side][a] + points_[side][b]) / 2);
+    for (Places& p : points_) p.push_back(((p[a] + p[b]) / 2).eval());
     marker_.push_back(-1);
     around_.emplace_back();
     ++vertices_;
@@ -123,15 +122,14 @@ bool SkinEditor::split(int a, int b) {
     return true;
 }
 
-bool SkinEditor::harms(int v, int other, const Vector3d& place, Side side) const {
-    const auto& p = points_[side];
+bool SkinEditor::harms(int v, int other, const Vector3d& place, const Places& p) const {
     for (const int t : around_[v]) {
         const Corners& c = triangles_[t];
         if (std::find(c.begin(), c.end(), other) != c.end()) continue; // goes
         const int k = static_cast<int>(std::find(c.begin(), c.end(), v) - c.begin());
         const Vector3d &q = p[c[(k + 1) % 3]], &r = p[c[(k + 2) % 3]];
         if ((q - place).norm() > longest_ || (r - place).norm() > longest_) return true;
-        const Vector3d before = normal(c, side), after = (q - place).cross(r - place);
+        const Vector3d before = normal(c, p), after = (q - place).cross(r - place);
         if (!(after.dot(before) > k_collapse_turn * after.norm() * before.norm())) return true;
     }
     return false;
@@ -157,12 +155,10 @@ bool SkinEditor::collapse(int a, int b) {
     if (std::ssize(common) != (at.left >= 0) + (at.right >= 0)) return false; // link condition
     for (const int corner : common)
         if (around_[corner].size() <= (on_border(corner) ? 1u : 3u)) return false; // would be left without a fan
-    std::array<Vector3d, 2> place;
-    for (const Side side : {on_source, on_target}) {
-        place[side] = (1 - part) * points_[side][kept] + part * points_[side][taken];
-        if (harms(kept, taken, place[side], side) || harms(taken, kept, place[side], side)) return false;
-    }
-    for (const Side side : {on_source, on_target}) points_[side][kept] = place[side];
+    const auto place = [&](const Places& p) -> Vector3d { return (1 - part) * p[kept] + part * p[taken]; };
+    for (const Places& p : points_)
+        if (harms(kept, taken, place(p), p) || harms(taken, kept, place(p), p)) return false;
+    for (Places& p : points_) p[kept] = place(p);
     for (const int t : {at.left, at.right})
         if (t >= 0) {
             detach(t);
@@ -184,8 +180,7 @@ bool SkinEditor::swap_if_better(int a, int b) {
     if (p == q) return false;
     // Criterion 3: the largest angle has the smallest cosine.
     double before = 1, after = 1;
-    for (const Side side : {on_source, on_target}) {
-        const auto& x = points_[side];
+    for (const Places& x : points_) {
         before = std::min({before, facing_cosine(x[p], x[a], x[b]), facing_cosine(x[q], x[a], x[b])});
         after = std::min({after, facing_cosine(x[a], x[p], x[q]), facing_cosine(x[b], x[p], x[q])});
     }
@@ -194,10 +189,10 @@ bool SkinEditor::swap_if_better(int a, int b) {
     const std::vector<int> near = ring(p);
     if (std::binary_search(near.begin(), near.end(), q)) return false;
     const Corners first{a, q, p}, second{q, b, p}; // of (a, b, p) and (b, a, q)
-    for (const Side side : {on_source, on_target}) {
-        const Vector3d old = normal(triangles_[at.left], side) + normal(triangles_[at.right], side);
+    for (const Places& x : points_) {
+        const Vector3d old = normal(triangles_[at.left], x) + normal(triangles_[at.right], x);
         for (const Corners& corners : {first, second}) {
-            const Vector3d fresh = normal(corners, side);
+            const Vector3d fresh = normal(corners, x);
             if (!(fresh.dot(old) > k_swap_turn * fresh.norm() * old.norm())) return false;
         }
     }
@@ -206,20 +201,18 @@ bool SkinEditor::swap_if_better(int a, int b) {
     return true;
 }
 
-SkinPair SkinEditor::take() const {
-    SkinPair skins;
+SkinSet SkinEditor::take() const {
+    SkinSet skins;
     std::vector<int> place(around_.size(), -1);
-    int count = 0;
-    for (std::size_t v = 0; v < around_.size(); ++v)
-        if (!around_[v].empty() || marker_[v] >= 0) place[v] = count++;
-    skins.source.resize(count, 3);
-    skins.target.resize(count, 3);
-    skins.marker.resize(static_cast<std::size_t>(count));
     for (std::size_t v = 0; v < around_.size(); ++v) {
-        if (place[v] < 0) continue;
-        skins.source.row(place[v]) = points_[on_source][v].transpose();
-        skins.target.row(place[v]) = points_[on_target][v].transpose();
-        skins.marker[place[v]] = marker_[v];
+        if (around_[v].empty() && marker_[v] < 0) continue;
+        place[v] = skins.vertex_count();
+        skins.marker.push_back(marker_[v]);
+    }
+    for (const Places& p : points_) {
+        Points& points = skins.points.emplace_back(skins.vertex_count(), 3);
+        for (std::size_t v = 0; v < around_.size(); ++v)
+            if (place[v] >= 0) points.row(place[v]) = p[v].transpose();
     }
     skins.triangles.resize(static_cast<Eigen::Index>(std::count(gone_.begin(), gone_.end(), 0)), 3);
     int row = 0;

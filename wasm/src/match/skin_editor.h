@@ -1,24 +1,23 @@
 #pragma once
 
-#include "lissom/match/skin_pair.h"
+#include "lissom/match/skin_set.h"
 
 #include <array>
+#include <cstddef>
 #include <utility>
 #include <vector>
 
 namespace lissom {
 
-/// Edits of one edge at a time, on both skins at once; each looks whether it may be done.
+/// Edits of one edge at a time, on all skins at once; each looks whether it may be done.
 class SkinEditor {
 public:
-    enum Side { on_source, on_target };
-
     /// @param longest  collapses make no edge longer than this
-    SkinEditor(const SkinPair& skins, double longest);
+    SkinEditor(const SkinSet& skins, double longest);
 
     /// Every edge once, ordered.
     [[nodiscard]] std::vector<std::pair<int, int>> edges() const;
-    [[nodiscard]] double length(int a, int b, Side side) const { return (points_[side][a] - points_[side][b]).norm(); }
+    [[nodiscard]] double length(int a, int b, int skin) const { return (points_[static_cast<std::size_t>(skin)][a] - points_[static_cast<std::size_t>(skin)][b]).norm(); }
     [[nodiscard]] int vertex_count() const { return vertices_; }
     [[nodiscard]] bool alive(int v) const { return !around_[v].empty(); }
 
@@ -27,9 +26,10 @@ public:
     bool swap_if_better(int a, int b);
 
     /// What has come of it, without the vertices taken away.
-    [[nodiscard]] SkinPair take() const;
+    [[nodiscard]] SkinSet take() const;
 
 private:
+    using Places = std::vector<Eigen::Vector3d>; ///< of all vertices on one skin
     using Corners = std::array<int, 3>;
     /// The triangles at an edge: (a, b, left) and (b, a, right); −1 where there is none on that side.
     struct Sides {
@@ -41,15 +41,15 @@ private:
     [[nodiscard]] Sides sides(int a, int b) const;
     [[nodiscard]] bool on_border(int v) const;
     [[nodiscard]] std::vector<int> ring(int v) const; ///< ascending
-    [[nodiscard]] Eigen::Vector3d normal(const Corners& corners, Side side) const; ///< twice the area long
+    [[nodiscard]] static Eigen::Vector3d normal(const Corners& corners, const Places& p); ///< twice the area long
     /// Whether the triangles at v but for two would turn over, or an edge grow too long, with v at a place.
-    [[nodiscard]] bool harms(int v, int other, const Eigen::Vector3d& place, Side side) const;
+    [[nodiscard]] bool harms(int v, int other, const Eigen::Vector3d& place, const Places& p) const;
     void replace(int triangle, const Corners& corners);
     void detach(int triangle);
     void attach(int triangle);
 
     double longest_;
-    std::array<std::vector<Eigen::Vector3d>, 2> points_;
+    std::vector<Places> points_; ///< of each skin
     std::vector<int> marker_;
     std::vector<Corners> triangles_;
     std::vector<char> gone_;               ///< triangles

@@ -45,6 +45,11 @@ export interface SkinFigures {
   readonly selfIntersections: number;
 }
 
+/** Something to know about a match; `model` counts from 0, −1 stands for all. */
+export interface MatchWarning extends Omit<Finding, 'model'> {
+  readonly model: number;
+}
+
 export interface Matched extends GrowingSkins {
   readonly figures: readonly SkinFigures[];
   /** Of each model: how far each vertex lies from it, in shares of its diagonal. */
@@ -56,7 +61,7 @@ export interface Matched extends GrowingSkins {
   /** Largest distance of a marker's vertex from its place, in shares of the diagonal. */
   readonly markerError: number;
   readonly iterations: number;
-  readonly warnings: readonly Finding[];
+  readonly warnings: readonly MatchWarning[];
   readonly seconds: {
     readonly start: number;
     readonly carry: number;
@@ -71,7 +76,7 @@ export interface Matched extends GrowingSkins {
 export interface MatchKernel {
   /**
    * Matches models; the first is the source. Reports progress, can be cancelled, and shows the skins as they grow.
-   * Codes: marker-count, non-finite-marker, bad-option, flat-model.
+   * Codes: marker-count, model-count, non-finite-marker, bad-option, flat-model.
    */
   match(args: { models: readonly MatchedModel[]; options: MatchOptions }): Matched;
 

@@ -110,7 +110,10 @@ export const matchRunner = {
       },
       seconds: { ...matched.seconds },
       peakBytes: matched.peakBytes,
-      warnings: matched.warnings,
+      warnings: matched.warnings.map(({ model, ...rest }) => ({
+        ...rest,
+        ...(model >= 0 && { model: step.models[model]! }),
+      })),
     };
   },
 } satisfies StepRunner<MatchStep>;
@@ -140,7 +143,7 @@ function checkCounts({ models, markers, curves = [], sharp, mask }: MatchStep, p
   const wrong = (field: string, found: number, what: string) =>
     new LissomError(
       'marker-count',
-      `${path}.${field}: there are ${found}; give one ${what} for each of the ${models.length} models, in their order.`,
+      `${path}.${field}: expected ${models.length}, one ${what} for each model in their order, but found ${found}.`,
     );
   for (const [at, { length }] of markers.entries())
     if (length !== models.length) throw wrong(`markers[${at}]`, length, 'place');

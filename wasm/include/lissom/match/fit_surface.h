@@ -41,6 +41,7 @@ public:
     [[nodiscard]] Place nearest_on_border(const Eigen::Vector3d& p, double reach) const;
 
     [[nodiscard]] bool has_border() const { return border_.triangle_count() > 0; }
+    [[nodiscard]] bool has_facing() const { return rules_.facing; } ///< whether normals say anything
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
     [[nodiscard]] const Points& normals() const { return normals_; } ///< of triangles, unit; zero without area
 

@@ -2,14 +2,21 @@
 
 #include "lissom/match/distances.h"
 #include "lissom/match/marker_alignment.h"
-#include "lissom/match/skin_pair.h"
+#include "lissom/match/skin_set.h"
 #include "lissom/mesh/working_mesh.h"
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace lissom {
+
+/// One of the models that skins are laid over.
+struct MatchModel {
+    const WorkingMesh* model = nullptr; ///< kept by reference: must outlive the session
+    Points markers = Points(0, 3);      ///< n×3 places in the model's own space, brought onto its surface; n may be 0, the same for all models
+};
 
 struct MatchOptions {
     MatchStart start = MatchStart::automatic;
@@ -26,56 +33,68 @@ struct MatchSeconds {
     [[nodiscard]] double sum() const { return start + carry + fine + connectivity + report; }
 };
 
-/// What a match is worth. Distances are shares of the bounding box diagonal of the model that the skin lies on.
+/// What one skin is worth. Distances are shares of the bounding box diagonal of the model that it lies on.
+struct SkinReport {
+    SurfaceDistances distances;   ///< of the skin (first) and its model
+    int folds = 0;                ///< edges with a cosine below −0.2 between their triangles' normals
+    int crossings = 0;            ///< triangles that meet another without a common vertex
+    int flipped = 0;              ///< triangles that find no place of the model facing as they do within the length of their longest side
+    std::vector<float> residuals; ///< per vertex its distance from the model
+    double flatness = 0;          ///< of its markers and the source's; the source's: 0
+    bool bent = false;            ///< started by the radial map
+};
+
+struct MatchWarning {
+    std::string code;
+    int model = -1;            ///< which one it is about; −1: all
+    int count = 0;             ///< of what it is about, at least 1
+    std::vector<int> examples; ///< at most 8, by the code
+};
+
 struct MatchReport {
-    SurfaceDistances source, target;    ///< of each skin (first) and its model
-    double marker_error = 0;            ///< largest distance of a marker's vertex from its place, on either side
-    int source_folds = 0, target_folds = 0;          ///< edges with a cosine below −0.2 between their triangles' normals
-    int source_crossings = 0, target_crossings = 0;  ///< triangles that meet another without a common vertex
-    int flipped = 0;                    ///< triangles of the target's skin that find no place of the model facing as they do within the length of their longest side
-    std::vector<float> residuals;       ///< per vertex of the target's skin, its distance from the model
+    std::vector<SkinReport> skins;      ///< one per model
+    double marker_error = 0;            ///< largest distance of a marker's vertex from its place on any skin, a share as above
+    double flatness = 0;                ///< of the flattest markers
     ConnectivityChange connectivity;
-    double flatness = 0;                ///< of the markers
-    bool bent = false;                  ///< started by the radial map
-    std::vector<Finding> warnings;      ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface),
+    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface),
                                         ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`
     MatchSeconds seconds;
 };
 
 struct MatchResult {
-    SkinPair skins;                  ///< in the models' own spaces
-    std::vector<int> marker_vertices; ///< the vertex of both skins that each marker is
+    SkinSet skins;                    ///< in the models' own spaces
+    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is
     MatchReport report;
 };
 
-/// Two skins of one connectivity, one over each of two models, so that marked places correspond and everything between goes along.
+/// Skins of one connectivity, one over each of two or more models, so that marked places correspond and everything between goes along.
 ///
-/// The source model is the first skin. A copy is brought to lie on the target by the markers, carried closer by ever finer node graphs, untangled, and fitted
-/// vertex by vertex with a guard against crossings, while edges of both are split, collapsed and swapped. Nothing is asked of
-/// the target's connectivity. Models are brought to a common size that neither turning nor triangulation changes; what comes out goes with the models.
+/// The first model, the source, is the first skin. A copy for each other model, a target, is brought to lie on it by the markers, carried closer by ever finer
+/// node graphs, untangled, and fitted vertex by vertex with a guard against crossings, while edges of all are split, collapsed and swapped at once. Nothing is asked of
+/// a target's connectivity. Models are brought to a common size that neither turning nor triangulation changes; what comes out goes with the models.
 ///
 /// Source: Wang et al., "Duplicate-Skins for Compatible Mesh Modelling" (004). Changed: the first skin is the model instead of a box, which folds between limbs;
-/// the fit is global instead of particle by particle (Eq 1), reverse samples keep tips, crossings are refused.
-/// Cost: for skins of 15,000 vertices some two hundred factorizations' and crossing tests' worth: about ten seconds.
+/// the fit is global instead of particle by particle (Eq 1), reverse samples keep tips, crossings are refused; more than two models share one first skin instead of
+/// being composed afterwards (4), which would add up their errors.
+/// Cost: for two skins of 15,000 vertices some two hundred factorizations' and crossing tests' worth: about ten seconds; for n that times n − 1.
 class MatchSession {
 public:
-    /// @param source,target   kept by reference: must outlive the session
-    /// @param source_markers,target_markers  n×3 places in the models' own spaces, brought onto their surfaces; n may be 0
-    /// @throws InvalidInput what `align_markers` says, `bad-option`, `flat-model` (a model without area)
-    MatchSession(const WorkingMesh& source, const WorkingMesh& target, const Points& source_markers, const Points& target_markers, const MatchOptions& options = {});
+    /// @param models  two or more, the source first
+    /// @throws InvalidInput what `align_markers` says, `bad-option`, `model-count` (fewer than two), `flat-model` (a model without area)
+    explicit MatchSession(const std::vector<MatchModel>& models, const MatchOptions& options = {});
     ~MatchSession();
     MatchSession(MatchSession&&) noexcept;
 
-    /// One slice. @returns true while there is more. @throws SolverFailure
+    /// One slice: some tenths of a second at most. @returns true while there is more. @throws SolverFailure
     bool step();
     [[nodiscard]] double fraction() const;
 
     /// The skins as they are and what they are worth; before the last step with `stopped-early`.
     [[nodiscard]] MatchResult result() const;
 
-    [[nodiscard]] const MarkerAlignment& alignment() const;
-    /// Where the target's skin is now, in the target's space: to look on.
-    [[nodiscard]] Points target_positions() const;
+    [[nodiscard]] const MarkerAlignment& alignment(int model) const; ///< of the source's markers with those of a target
+    /// Where a model's skin is now, in the model's space: to look on. Empty before the first step.
+    [[nodiscard]] Points positions(int model) const;
     [[nodiscard]] const Triangles& triangles() const;
 
 private:

@@ -1,0 +1,60 @@
+// Matches from the command line: skins in one connectivity, the report, and what is said of matches that cannot be.
+
+import { expect, test } from 'vitest';
+import { writeModel } from '../../web/io/formats';
+import { pear, plum } from '../kernel/balls';
+import { Shell } from './shell';
+
+const SHAPES = { pear: pear(), plum: plum() };
+const MARKERS = SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]);
+
+async function match(
+  fields: object = {},
+  outputs: object[] = [
+    { step: 'm/pear', file: 'pear.ply' },
+    { step: 'm/plum', file: 'plum.obj' },
+  ],
+) {
+  const shell = new Shell();
+  for (const [name, shape] of Object.entries(SHAPES))
+    shell.write(`${name}.ply`, writeModel({ name, ...shape }, 'ply'));
+  const recipe = shell.write('r.json', {
+    lissom: 1,
+    models: { pear: { file: 'pear.ply' }, plum: { file: 'plum.ply' } },
+    steps: [
+      { id: 'm', type: 'match', models: ['pear', 'plum'], markers: MARKERS, edgeLength: 0.3, ...fields },
+    ],
+    outputs,
+  });
+  const out = ['--out', shell.path('out'), '--report', shell.path('report.json')];
+  return { shell, ...(await shell.lissom(['run', recipe, ...out])) };
+}
+
+test('skins of one connectivity are written, and the report says what they are worth', async () => {
+  const { shell, status, stderr } = await match();
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  const [first, second] = [shell.model('out/pear.ply'), shell.model('out/plum.obj')];
+  expect(second.faceVertices).toEqual(first.faceVertices);
+  const [step] = JSON.parse(shell.read('report.json')).steps;
+  expect(step).toMatchObject({
+    id: 'm',
+    type: 'match',
+    vertices: first.positions.length / 3,
+    models: { pear: { faces: first.faceOffsets.length - 1 } },
+    flipped: { pear: 0, plum: 0 },
+    selfIntersections: { pear: 0, plum: 0 },
+  });
+  expect(step.distance.plum.mean).toBeLessThan(0.004);
+});
+
+test.each<[string, object, object[]?]>([
+  ['marker-count', { markers: MARKERS.slice(0, 2) }],
+  ['index-out-of-range', { markers: [...MARKERS.slice(0, 5), [99999, 0]] }],
+  ['recipe-invalid', { models: ['pear', 'apple'] }],
+  ['recipe-invalid', {}, [{ step: 'm', file: 'both.ply' }]],
+])('%s', async (code, fields, outputs) => {
+  const { shell, status, stderr } = await match(fields, outputs);
+  expect(status).toBe(2);
+  expect(stderr).toMatch(new RegExp(`^error: ${code}: .+\n$`));
+  expect(shell.files('out')).toEqual([]);
+});

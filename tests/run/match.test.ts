@@ -1,0 +1,127 @@
+// The match step on the real kernel: places however they are written, what it leaves, what it refuses.
+
+import { beforeAll, describe, expect, test } from 'vitest';
+import { loadKernel } from '../../web/kernel/node';
+import { parseRecipe } from '../../web/recipe/parse';
+import type { Recipe } from '../../web/recipe/recipe';
+import { Runner } from '../../web/run/evaluate';
+import type { StepResult } from '../../web/run/results';
+import { matchQuality } from '../../web/run/steps/match';
+import { fig, pear, plum, pointsOf } from '../kernel/balls';
+
+const SHAPES = { pear: pear(), plum: plum() };
+const marks = (count: number) =>
+  SHAPES.pear.ends.slice(0, count).map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]);
+const match = (more: object = {}) => ({
+  id: 'm',
+  type: 'match',
+  models: ['pear', 'plum'],
+  markers: marks(6),
+  edgeLength: 0.3,
+  ...more,
+});
+const recipeOf = (...steps: unknown[]): Recipe =>
+  parseRecipe({ lissom: 1, models: { pear: { builtin: 'pear' }, plum: { builtin: 'plum' } }, steps });
+
+let runner: Runner;
+beforeAll(async () => {
+  const models = { load: async (name: string) => ({ name, ...SHAPES[name as 'pear' | 'plum'] }) };
+  runner = new Runner({ kernel: await loadKernel(), models });
+});
+
+const run = async (recipe: Recipe, id = 'm') => (await runner.run(recipe)).get(id) as StepResult<'match'>;
+
+test('it leaves a skin for each model, in one connectivity, and says what they are worth', async () => {
+  const { model, models, report } = await run(recipeOf(match()));
+  expect(Object.keys(models!)).toEqual(['pear', 'plum']);
+  expect(model).toBe(models!.pear);
+  expect(models!.pear!.faceVertices).toEqual(models!.plum!.faceVertices);
+  expect(report.models).toMatchObject({ plum: { vertices: model.positions.length / 3 } });
+  expect(report.distance.plum!.mean).toBeLessThan(0.004);
+  expect(report.markerError).toBeLessThan(1e-9);
+  expect(report).toMatchObject({
+    flipped: { pear: 0, plum: 0 },
+    selfIntersections: { pear: 0, plum: 0 },
+  });
+  const quality = matchQuality(model)!;
+  expect(quality.residuals.plum).toHaveLength(model.positions.length / 3);
+  expect(quality.markerVertices).toHaveLength(6);
+});
+
+test('a place is the same as a vertex, on a face, or as a point', async () => {
+  const [face, corner] = faceAt(SHAPES.pear.ends[0]!);
+  const at = [0, 1, 2].map((each) => (each === corner ? 1 : 0));
+  const point = [...pointsOf(SHAPES.plum, [SHAPES.plum.ends[1]!])];
+  const rewritten = marks(6);
+  const other = rewritten.map((pair, number) =>
+    number === 0 ? [{ face, at }, pair[1]] : number === 1 ? [pair[0], { point }] : pair,
+  );
+  const [plain, said] = [await run(recipeOf(match())), await run(recipeOf(match({ markers: other })))];
+  expect(said.models!.plum!.positions).toEqual(plain.models!.plum!.positions);
+});
+
+test('skins are models like any other for the steps that follow', async () => {
+  const bend = {
+    id: 'bend',
+    type: 'deform',
+    model: 'm/plum',
+    handles: [{ kind: 'point', vertices: [0], position: [0, 2, 0] }],
+  };
+  const { model } = await run(recipeOf(match(), bend), 'bend');
+  expect([...model.positions.subarray(0, 3)].map((x) => Math.round(1e6 * x) / 1e6)).toEqual([0, 2, 0]);
+});
+
+describe('what is wrong is said with its place', () => {
+  test.each<[string, object]>([
+    ['steps[0].markers: there are two; give 3 or more, or none at all.', { markers: marks(2) }],
+    [
+      'steps[0].markers[1]: expected 2, one place for each model in their order, but found 1.',
+      { markers: [...marks(1), [4], ...marks(4)] },
+    ],
+    ['steps[0].markers[0][0]: vertex 9999 is out of range', { markers: [[9999, 0], ...marks(4)] }],
+    [
+      'A marker names face 9999, but "pear" has',
+      { markers: [[{ face: 9999, at: [1, 0, 0] }, 0], ...marks(4)] },
+    ],
+    [
+      'A marker has 4 weights on face 0 of "pear", which has 3 corners',
+      { markers: [[{ face: 0, at: [1, 0, 0, 0] }, 0], ...marks(4)] },
+    ],
+    ['steps[0].mask: expected 2, one vertex set for each model', { mask: [[1]] }],
+    ['steps[0].curves[0]: expected 2, one row of places for each model', { curves: [[[1, 2]]] }],
+  ])('%s', async (sentence, wrong) => {
+    await expect(run(recipeOf(match(wrong)))).rejects.toThrow(sentence);
+  });
+
+  test.each<[string, object]>([
+    ['models: expected two models or more', { models: ['pear'] }],
+    ['models: expected models that are all different', { models: ['pear', 'pear'] }],
+    ['weights that sum to 1', { markers: [[{ face: 0, at: [1, 1, 0] }, 0]] }],
+  ])('%s', (sentence, wrong) => {
+    expect(() => recipeOf(match(wrong))).toThrow(sentence);
+  });
+});
+
+/** A face at a vertex, and which of its corners that is. */
+function faceAt(vertex: number): readonly [number, number] {
+  const at = SHAPES.pear.faceVertices.indexOf(vertex);
+  return [Math.floor(at / 3), at % 3];
+}
+
+test('three models get one connectivity together', async () => {
+  const models = { ...SHAPES, fig: fig() };
+  const three = new Runner({
+    kernel: await loadKernel(),
+    models: { load: async (name: string) => ({ name, ...models[name as keyof typeof models] }) },
+  });
+  const markers = marks(6).map((pair, at) => [...pair, models.fig.ends[at]!]);
+  const recipe = parseRecipe({
+    lissom: 1,
+    models: { pear: { builtin: 'pear' }, plum: { builtin: 'plum' }, fig: { builtin: 'fig' } },
+    steps: [match({ models: ['pear', 'plum', 'fig'], markers })],
+  });
+  const { models: skins, report } = (await three.run(recipe)).get('m') as StepResult<'match'>;
+  expect(skins!.fig!.faceVertices).toEqual(skins!.pear!.faceVertices);
+  for (const name of ['pear', 'plum', 'fig'] as const)
+    expect([report.distance[name]!.mean < 0.004, report.selfIntersections[name]]).toEqual([true, 0]);
+});

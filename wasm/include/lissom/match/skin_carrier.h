@@ -1,0 +1,77 @@
+#pragma once
+
+#include "lissom/match/affine_fit.h"
+#include "lissom/match/correspondences.h"
+#include "lissom/match/fit_surface.h"
+#include "lissom/match/node_graph.h"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace lissom {
+
+/// How a skin is carried along: with markers it starts near, without it must find its way.
+struct CarrySchedule {
+    double radius;                  ///< of the first graph
+    int iterations;                 ///< on each
+    double first_reach, last_reach;
+    double least_cosine;
+};
+[[nodiscard]] CarrySchedule carry_schedule(int markers);
+
+/// Ever finer node graphs of one skin, each made when it is first asked for.
+class GraphLevels {
+public:
+    /// @param skin    about unit size
+    /// @param radius  of the first; each further one half of that, but so that there are no more than some 3000 nodes
+    GraphLevels(const TriangleMesh& skin, double radius, int count, std::uint64_t seed = 0);
+
+    [[nodiscard]] const NodeGraph& operator[](int level);
+    [[nodiscard]] int count() const { return count_; }
+
+private:
+    WeightedGraph edges_;
+    double radius_, least_;
+    int count_;
+    std::uint64_t seed_;
+    std::deque<NodeGraph> graphs_; ///< referred to while more are made
+};
+
+/// Carries a skin onto a surface by the affine maps of ever finer node graphs (`AffineFit`), asking again and again where its places should go (`Correspondences`).
+///
+/// Source: what the paper's own loop (004, Eq 1) does not do.
+/// Cost: a step is one solve and one round of nearest places; levels × iterations of them.
+class SkinCarrier {
+public:
+    /// @param rest      the skin as it lies on the surface at first, about unit size
+    /// @param marker    per vertex the marker that it is, or −1; kept by reference as are `triangles`, `graphs` and `surface`
+    /// @param markers   where they are on the surface
+    SkinCarrier(Points rest, const Triangles& triangles, const std::vector<int>& marker, GraphLevels& graphs, const FitSurface& surface, Points markers, const CarrySchedule& schedule,
+                std::uint64_t seed = 0);
+
+    /// @returns true while there is more. @throws SolverFailure
+    bool step();
+    [[nodiscard]] double fraction() const { return static_cast<double>(iteration_) / steps(); }
+    [[nodiscard]] const Points& points() const { return points_; }
+
+private:
+    [[nodiscard]] int steps() const { return graphs_.count() * schedule_.iterations; }
+    void begin_level(int level);
+
+    Points rest_, points_;
+    const Triangles& triangles_;
+    const std::vector<int>& marker_;
+    GraphLevels& graphs_;
+    const FitSurface& surface_;
+    Points markers_;
+    CarrySchedule schedule_;
+    std::uint64_t seed_;
+    int iteration_ = 0;
+    int asked_ = 0; ///< vertices, and samples, by which it is carried on this level
+    std::optional<Correspondences> correspondences_;
+    std::optional<AffineFit> affine_;
+};
+
+} // namespace lissom

@@ -1,0 +1,53 @@
+#include "placed_model.h"
+
+#include "lissom/mesh/errors.h"
+#include "lissom/mesh/half_edges.h"
+
+#include <utility>
+
+namespace lissom {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// Share of edges with one triangle above which a surface is a soup and has no rim.
+constexpr double k_soup = 0.25;
+
+bool is_soup(const TriangleMesh& mesh) {
+    int all = 0, open = 0;
+    for_each_edge(half_edges(mesh), [&](auto first, auto last) {
+        ++all;
+        open += last - first == 1;
+    });
+    return open > k_soup * all;
+}
+
+TriangleMesh at_unit_size(const WorkingMesh& model, const SurfaceSize& size) {
+    return {(model.mesh.points.rowwise() - size.middle) / size.size, model.mesh.triangles};
+}
+
+SurfaceSize size_of(const WorkingMesh& model, const std::string& which) {
+    SurfaceSize size = surface_size(model.mesh);
+    if (!(size.size > 0)) throw InvalidInput("flat-model", "The " + which + " has no area to put a skin on. Choose another model.");
+    return size;
+}
+
+} // namespace
+
+PlacedModel::PlacedModel(const WorkingMesh& model, const std::string& which)
+    : working(model), size(size_of(model, which)), surface(at_unit_size(model, size), {!is_soup(model.mesh), model.oriented}) {}
+
+Points PlacedModel::inwards(const Points& places) const {
+    Points inside(places.rows(), 3);
+    for (Eigen::Index i = 0; i < places.rows(); ++i) inside.row(i) = (working.to_working(Vector3d(places.row(i))).transpose() - size.middle) / size.size;
+    return inside;
+}
+
+Points PlacedModel::outwards(const Points& places) const {
+    Points outside(places.rows(), 3);
+    for (Eigen::Index i = 0; i < places.rows(); ++i) outside.row(i) = working.to_source((size.size * places.row(i) + size.middle).transpose()).transpose();
+    return outside;
+}
+
+} // namespace lissom

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lissom/match/distances.h"
+#include "lissom/match/fit_surface.h"
+#include "lissom/mesh/working_mesh.h"
+
+namespace lissom {
+
+/// A model at unit size about its middle, which neither turning nor triangulation changes, and the way back.
+struct PlacedModel {
+    const WorkingMesh& working;
+    SurfaceSize size;
+    FitSurface surface;
+
+    /// @throws InvalidInput `flat-model`. @param which  one it is, for who is told
+    PlacedModel(const WorkingMesh& model, const std::string& which);
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return surface.mesh(); }
+    [[nodiscard]] Points inwards(const Points& places) const;
+    [[nodiscard]] Points outwards(const Points& places) const;
+};
+
+} // namespace lissom
