@@ -29,7 +29,8 @@ class Field {
   each(visit) {
     const [nx, ny, nz] = this.count;
     let at = 0;
-    for (let k = 0; k < nz; k++) for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) visit(at++, i, j, k);
+    for (let k = 0; k < nz; k++)
+      for (let j = 0; j < ny; j++) for (let i = 0; i < nx; i++) visit(at++, i, j, k);
   }
 
   /** The mean over three corners along each axis, again and again: gaps as wide as toes are apart are closed. */
@@ -46,9 +47,7 @@ class Field {
   }
 
   at(...point) {
-    const place = point.map((x, k) =>
-      Math.min(this.count[k] - 1.001, Math.max(0, (x - this.low[k]) / CELL)),
-    );
+    const place = point.map((x, k) => Math.min(this.count[k] - 1.001, Math.max(0, (x - this.low[k]) / CELL)));
     const corner = place.map(Math.floor);
     const share = place.map((x, k) => x - corner[k]);
     let sum = 0;

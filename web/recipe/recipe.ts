@@ -30,8 +30,8 @@ export const STEP_TYPES = {
     workspace: null,
     outputs: ({ models }) => models,
   }),
-  blend: stepType(blendStep, { main: 'match', writes: 'mesh', workspace: null, members: blendMembers }),
-  dress: stepType(dressStep, { main: 'garment', writes: 'mesh', workspace: null, members: dressMembers }),
+  blend: stepType(blendStep, { main: 'match', writes: 'mesh', workspace: 'blend', members: blendMembers }),
+  dress: stepType(dressStep, { main: 'garment', writes: 'mesh', workspace: 'dress', members: dressMembers }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */

@@ -28,6 +28,8 @@ const faces = {
   merge: () => import('./merge/face'),
   transfer: () => import('./transfer/face'),
   curves: () => import('./curves/face'),
+  blend: () => import('./blend/face'),
+  dress: () => import('./dress/face'),
 } satisfies Readonly<Record<WorkspaceId, () => Promise<{ readonly face: Face }>>>;
 
 const loaded = signal<Partial<Readonly<Record<WorkspaceId, Face>>>>({});

@@ -1,6 +1,6 @@
 import { expect, test } from 'vitest';
-import { newTransferStep } from '../../../web/recipe/steps/transfer';
 import { holds } from '../../../web/core/vertex-set';
+import { newTransferStep } from '../../../web/recipe/steps/transfer';
 import { counterpartAt, nextOpen, pairing, setCounterpart } from '../../../web/tools/transfer/edits';
 import { region } from './chair';
 

@@ -8,7 +8,12 @@ export const partAt = ({ parts }: Pick<BlendStep, 'parts'>, vertex: number): num
   parts.findLastIndex(({ vertices }) => holds(vertices, vertex));
 
 /** The step whose part is exactly these vertices; without any it is gone. */
-export function withVertices(step: BlendStep, index: number, vertices: Uint32Array, count: number): BlendStep {
+export function withVertices(
+  step: BlendStep,
+  index: number,
+  vertices: Uint32Array,
+  count: number,
+): BlendStep {
   const set = fromIndices(vertices, count);
   if (isEmpty(set)) return withoutPart(step, index);
   return withPart(step, index, { vertices: set });

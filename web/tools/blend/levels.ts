@@ -6,7 +6,9 @@ export type Preset = 'chest' | 'waist' | 'hip';
 export const PRESETS = ['chest', 'waist', 'hip'] as const satisfies readonly Preset[];
 
 /** Shares of the height between which each lies, and what it is there. */
-const RANGES: Readonly<Record<Preset, { readonly low: number; readonly high: number; readonly wide: boolean }>> = {
+const RANGES: Readonly<
+  Record<Preset, { readonly low: number; readonly high: number; readonly wide: boolean }>
+> = {
   chest: { low: 0.7, high: 0.76, wide: true },
   waist: { low: 0.58, high: 0.67, wide: false },
   hip: { low: 0.47, high: 0.55, wide: true },
@@ -69,7 +71,7 @@ export class Levels {
       const girth = hullLength(loop, this.up);
       if (!best || (wide ? girth > best.girth : girth < best.girth)) best = { vertex, girth };
     }
-    return best && best.vertex;
+    return best?.vertex ?? null;
   }
 
   /** The vertex at a share of the height that is nearest to the body's axis. */
@@ -96,7 +98,8 @@ export class Levels {
   moved(vertex: number, by: number): number {
     for (let step = 1; step <= 8; step++) {
       const next = this.at(this.shareOf(vertex) + step * by);
-      if (next !== vertex && Math.sign(this.shareOf(next) - this.shareOf(vertex)) === Math.sign(by)) return next;
+      if (next !== vertex && Math.sign(this.shareOf(next) - this.shareOf(vertex)) === Math.sign(by))
+        return next;
     }
     return vertex;
   }

@@ -44,7 +44,8 @@ export function sectionLoop(
     }
     if (at === start) loops.push(Float64Array.from(line));
   }
-  const far = (loop: Float64Array): number => distanceTo(loop, positions.subarray(3 * vertex, 3 * vertex + 3));
+  const far = (loop: Float64Array): number =>
+    distanceTo(loop, positions.subarray(3 * vertex, 3 * vertex + 3));
   return loops.reduce<Float64Array | null>(
     (best, loop) => (best === null || far(loop) < far(best) ? loop : best),
     null,

@@ -97,8 +97,7 @@ function nearest([a, b, c]: readonly [Point, Point, Point], p: Point): [number, 
   const onEdge = (from: Point, to: Point): { readonly t: number; readonly far: number } => {
     const [dx, dy] = [to.x - from.x, to.y - from.y];
     const length = dx * dx + dy * dy;
-    const t =
-      length > 0 ? Math.min(1, Math.max(0, ((p.x - from.x) * dx + (p.y - from.y) * dy) / length)) : 0;
+    const t = length > 0 ? Math.min(1, Math.max(0, ((p.x - from.x) * dx + (p.y - from.y) * dy) / length)) : 0;
     return { t, far: Math.hypot(p.x - from.x - t * dx, p.y - from.y - t * dy) };
   };
   const edges = [onEdge(a, b), onEdge(b, c), onEdge(c, a)];
