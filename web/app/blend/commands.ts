@@ -67,7 +67,7 @@ export function blendCommands(context: Context, own: BlendState, blend: BlendAct
       group,
       workspace,
       title: 'command.blend.height',
-      icon: 'ruler',
+      icon: 'move-vertical',
       enabled: blended,
       run: () => blend.measuring.addHeight(),
     },

@@ -1,5 +1,6 @@
 // Where an upright body is measured: by height, then by what is widest or narrowest about there. Pure.
 
+import { boxOf, sizeOf } from '../../core/box';
 import { type Direction, hullLength, sectionLoop } from './section';
 
 export type Preset = 'chest' | 'waist' | 'hip';
@@ -9,12 +10,16 @@ export const PRESETS = ['chest', 'waist', 'hip'] as const satisfies readonly Pre
 const RANGES: Readonly<
   Record<Preset, { readonly low: number; readonly high: number; readonly wide: boolean }>
 > = {
-  chest: { low: 0.7, high: 0.76, wide: true },
+  chest: { low: 0.66, high: 0.78, wide: true },
   waist: { low: 0.58, high: 0.67, wide: false },
   hip: { low: 0.47, high: 0.55, wide: true },
 };
+/** A body is so many times as tall as it is thick: more than a head is. */
+const SLENDER = 2.5;
 /** Levels tried in a range. */
-const TRIED = 10;
+const TRIED = 12;
+/** From one level to the next a body does not become so many times wider. */
+const JUMP = 1.12;
 
 export class Levels {
   readonly #low: number;
@@ -46,29 +51,25 @@ export class Levels {
     return this.#high - this.#low;
   }
 
-  /** Whether it is longest along `up`, as a standing body is. */
+  /** Whether it is longest along `up` and much longer than it is thick, as a standing body is. */
   get isUpright(): boolean {
-    for (const k of [0, 1, 2]) {
-      if (Math.abs(this.up[k]!) > 0.5) continue;
-      let [low, high] = [Infinity, -Infinity];
-      for (let i = k; i < this.positions.length; i += 3) {
-        low = Math.min(low, this.positions[i]!);
-        high = Math.max(high, this.positions[i]!);
-      }
-      if (high - low > this.height) return false;
-    }
-    return true;
+    const sizes = sizeOf(boxOf(this.positions));
+    return Math.max(...sizes) <= 1.001 * this.height && Math.min(...sizes) < this.height / SLENDER;
   }
 
   /** The vertex whose section a measure is taken of; `null` where no closed line is found. */
   preset(name: Preset): number | null {
     const { low, high, wide } = RANGES[name];
     let best: { readonly vertex: number; readonly girth: number } | null = null;
+    let before = Infinity;
     for (let i = 0; i <= TRIED; i++) {
       const vertex = this.at(low + ((high - low) * i) / TRIED);
       const loop = sectionLoop(this.positions, this.triangles, vertex, this.up);
       if (!loop) continue;
       const girth = hullLength(loop, this.up);
+      // From here on up the arms are part of the cut.
+      if (girth > JUMP * before) break;
+      before = girth;
       if (!best || (wide ? girth > best.girth : girth < best.girth)) best = { vertex, girth };
     }
     return best?.vertex ?? null;

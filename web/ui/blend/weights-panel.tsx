@@ -69,7 +69,7 @@ function Row({ row: { name, weight, found } }: { row: WeightRow }) {
         label={
           found === null
             ? t('ui.blend.weight', { name: short })
-            : t('ui.blend.weight.found', { name: short, found: Number((100 * found).toFixed(1)) })
+            : t('ui.blend.weight.found', { name: short, found: Math.round(100 * found) })
         }
         value={100 * weight}
         min={Math.min(LEAST, 100 * weight)}
