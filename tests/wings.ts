@@ -72,7 +72,7 @@ const SHARED = [
 ];
 
 /** What browser and libraries call their own things, whatever wings are called. */
-const PLATFORM = /\bdataTransfer\b|\bblend(Src|Dst|Alpha|Equation)\b/g;
+const PLATFORM = /\b(dataTransfer|matchMedia)\b|\bblend(Src|Dst|Alpha|Equation)\b/g;
 
 /** @returns the lines of a shared file that say the name of a wing */
 export function namings(file: string, source: string, wings: readonly string[]): string[] {

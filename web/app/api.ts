@@ -2,6 +2,7 @@
 // under test may hand in doubles. What a wing offers beside is in its own folder; its panels know it.
 
 import type { ReadonlySignal } from '@preact/signals';
+import type { Model } from '../core/model';
 import type { Recipe, WorkspaceId } from '../recipe/recipe';
 import type { ViewportPort } from '../view/types';
 import type { Commands } from './commands';
@@ -61,6 +62,8 @@ export interface DocumentService {
 export interface WorkspaceService {
   /** Opens the last step of that kind, or starts one. */
   enter(workspace: WorkspaceId): Promise<void>;
+  /** Goes on with the open step's result: opens the last step of that kind that does, or starts one. */
+  goOn(workspace: WorkspaceId): Promise<void>;
   /** What a new step starts from: the open step's result, or its model where it does nothing yet. */
   openModel(): string | undefined;
 }
@@ -82,7 +85,10 @@ export interface FileService {
   save(): Promise<void>;
   saveAs(): Promise<void>;
   readonly exportChoices: readonly ExportChoice[];
-  exportModel(format: ExportFormat): Promise<void>;
+  /** Models that the open step leaves, where it leaves several. Reads signals. */
+  exportModels(): readonly Model[];
+  /** @param number  of several models; the one on screen where left out */
+  exportModel(format: ExportFormat, number?: number): Promise<void>;
   /** What the open workspace writes beside models. Reads signals. */
   exportGroup(): ExportGroup | undefined;
   exportOf(group: ExportGroup, format: string, option: boolean): Promise<void>;

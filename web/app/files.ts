@@ -110,10 +110,15 @@ export class Files implements FileService {
     messages.toast('good', t('toast.saved', { name: handle?.name ?? fileName }));
   }
 
-  exportModel(format: ExportFormat): Promise<void> {
+  exportModels(): readonly Model[] {
+    return this.parts.wings().open.value?.wing.results?.() ?? [];
+  }
+
+  exportModel(format: ExportFormat, number?: number): Promise<void> {
     const kind = { extension: `.${format}`, description: t(`export.${format}`), mimeType: MIME[format] };
     return this.#write(kind, (shown) => {
-      const model = withPositions(shown.shown.model, shown.positions);
+      const several = number === undefined ? undefined : this.exportModels()[number];
+      const model = several ?? withPositions(shown.shown.model, shown.positions);
       const bytes = writeModel(model, format);
       return { bytes, said: (name) => exported(name, model, bytes) };
     });

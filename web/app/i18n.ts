@@ -7,6 +7,7 @@ import type curves from './locales/en/curves.json';
 import type deform from './locales/en/deform.json';
 import type dress from './locales/en/dress.json';
 import type hair from './locales/en/hair.json';
+import type match from './locales/en/match.json';
 import type merge from './locales/en/merge.json';
 import type transfer from './locales/en/transfer.json';
 import ui from './locales/en/ui.json';
@@ -18,6 +19,7 @@ type WingWords = typeof blend &
   typeof deform &
   typeof dress &
   typeof hair &
+  typeof match &
   typeof merge &
   typeof transfer;
 type Words = typeof app & typeof ui & WingWords;

@@ -82,6 +82,10 @@ export interface Wing {
   last?(recipe: Recipe): string | undefined;
   /** Whether a step of its own does nothing yet: what follows starts from what came in. */
   isIdle?(step: Step): boolean;
+  /** Of a step of its own that leaves several models: what the one is called that others go on with. Reads signals. */
+  resultOf?(step: Step): string | undefined;
+  /** Those models, as far as they are there, to be exported one by one. Reads signals. */
+  results?(): readonly Model[];
   /** The recipe that a model opens with in its workspace; left out or `undefined`: that of the first workspace. */
   opening?(model: BareModel): Recipe | undefined;
   /** Follows the results: its own figures. `null` while the open step is not its own. */
@@ -96,8 +100,8 @@ export interface Wing {
   selected?(): Uint32Array | undefined;
   /** Whether the tools' mirror is of use. */
   readonly mirrors?: boolean;
-  /** What else is written beside models while its workspace is open. */
-  readonly exports?: ExportGroup;
+  /** What else is written beside models while its workspace is open. Reads signals. */
+  readonly exports?: ExportGroup | undefined;
   /** Takes such a file: to be looked at in place of the document, or opened as a model after all. */
   take?(file: LooseFile): Promise<void>;
   /** Puts itself on screen. */

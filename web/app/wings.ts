@@ -19,6 +19,7 @@ export const wings = {
   merge: { icon: 'combine', key: 'Shift+3', load: () => import('./merge/wing') },
   transfer: { icon: 'person-standing', key: 'Shift+4', load: () => import('./transfer/wing') },
   curves: { icon: 'bone', key: 'Shift+5', load: () => import('./curves/wing') },
+  match: { icon: 'git-compare-arrows', key: 'Shift+6', load: () => import('./match/wing') },
   blend: { icon: 'triangle', key: 'Shift+7', load: () => import('./blend/wing') },
   dress: { icon: 'shirt', key: 'Shift+8', load: () => import('./dress/wing') },
 } as const satisfies Readonly<Record<WorkspaceId, Entry>>;

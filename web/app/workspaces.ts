@@ -2,7 +2,7 @@
 
 import { stepById } from '../recipe/edit';
 import { type Recipe, stepRow, type WorkspaceId } from '../recipe/recipe';
-import { mainInput } from '../recipe/references';
+import { mainInput, producedNames } from '../recipe/references';
 import type { WingService, WorkspaceService } from './api';
 import type { Document } from './document';
 import type { State } from './state';
@@ -35,8 +35,19 @@ export class Workspaces implements WorkspaceService {
     const open = stepById(document.recipe, document.selection.step);
     if (!open) return Object.keys(document.recipe.models)[0];
     const { writes, workspace } = stepRow(open.type);
-    const isIdle = workspace !== null && wings().get(workspace)?.isIdle?.(open);
-    return writes === 'mesh' && !isIdle ? open.id : mainInput(open);
+    const wing = workspace === null ? undefined : wings().get(workspace);
+    if (writes === 'strands' || wing?.isIdle?.(open)) return mainInput(open);
+    return writes === 'mesh' ? open.id : (wing?.resultOf?.(open) ?? producedNames(open)[0]);
+  }
+
+  async goOn(workspace: WorkspaceId): Promise<void> {
+    const { document, wings } = this.parts;
+    const from = this.openModel();
+    const held = document.recipe.steps.findLast(
+      (step) => stepRow(step.type).workspace === workspace && mainInput(step) === from,
+    );
+    if (held) document.openStep(held.id);
+    else await (await wings().load(workspace)).start();
   }
 }
 

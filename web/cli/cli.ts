@@ -6,6 +6,7 @@ import { LissomError } from '../core/errors';
 import type { ModelFormat } from '../core/model';
 import type { Skin } from '../core/skin';
 import { writeModel } from '../io/formats';
+import { writeGltfMorphs } from '../io/gltf-morphs';
 import { writeSkinnedGltf } from '../io/gltf-skin';
 import { groomFile } from '../io/strands/groom-file';
 import type { StrandFormat } from '../io/strands/options';
@@ -16,6 +17,7 @@ import { decodeLink, encodeLink } from '../recipe/link/link';
 import { parseRecipe } from '../recipe/parse';
 import { oneLine } from '../recipe/problem';
 import type { Recipe } from '../recipe/recipe';
+import { producerOf } from '../recipe/references';
 import { Runner } from '../run/evaluate';
 import { plan } from '../run/plan';
 import { resultNamed, type StepResult } from '../run/results';
@@ -141,11 +143,16 @@ async function outputsOf(
   skinOf: (step: string) => Promise<Skin>,
 ): Promise<Map<string, Uint8Array | string>> {
   const files = new Map<string, Uint8Array | string>();
-  for (const { step, file, skin } of recipe.outputs) {
+  for (const { step, file, skin, morphs } of recipe.outputs) {
     const { model, strands } = resultNamed(recipe, results, step);
     const extension = extensionOf(file);
     const write = async () => {
       if (strands) return groomFile(step, strands, model, extension as StrandFormat);
+      if (morphs) {
+        const { models = {} } = results.get(producerOf(recipe, step)!.id)!;
+        const others = Object.values(models).filter((other) => other !== model);
+        return writeGltfMorphs(model, others, extension as 'glb' | 'gltf');
+      }
       if (!skin) return writeModel(model, extension as ModelFormat);
       const [rest] = results.get(step)!.inputs;
       return writeSkinnedGltf(rest!.model, await skinOf(step), extension as 'glb' | 'gltf');

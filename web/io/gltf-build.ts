@@ -37,6 +37,9 @@ export type GltfAddition = (found: {
   /** In the place of the node with the mesh; those that are not its children are shown beside it. */
   readonly nodes: (mesh: GltfNode) => { readonly nodes: GltfNode[]; readonly shown: number[] };
   readonly more: Readonly<Record<string, unknown>>;
+  /** Attributes of each morph target, and what the targets are called. */
+  readonly targets?: readonly Readonly<Record<string, number>>[];
+  readonly targetNames?: readonly string[];
 };
 
 /**
@@ -58,6 +61,7 @@ export function buildGltf(model: Model, addition?: GltfAddition): { json: GltfJs
     const indices = binary.indices(cornersOf(rows, run), rows.vertex.length);
     if (indices === undefined) continue;
     const primitive: GltfPrimitive = { attributes, indices };
+    if (added?.targets) primitive.targets = added.targets.map((target) => ({ ...target }));
     if (run.name) primitive.extras = { name: run.name };
     if (run.material !== undefined) primitive.material = materialIndex(materials, run.material);
     primitives.push(primitive);
@@ -70,7 +74,7 @@ export function buildGltf(model: Model, addition?: GltfAddition): { json: GltfJs
     scene: 0,
     scenes: [{ nodes: shown }],
     nodes,
-    meshes: [{ name, primitives }],
+    meshes: [{ name, primitives, ...morphs(added?.targetNames) }],
     ...added?.more,
     ...(materials.length > 0 && { materials }),
     accessors: binary.accessors,
@@ -78,6 +82,10 @@ export function buildGltf(model: Model, addition?: GltfAddition): { json: GltfJs
   };
   return { json, binary: binary.out.finish() };
 }
+
+/** Names of targets are nowhere in the specification; programs look for them here. */
+const morphs = (targetNames: readonly string[] | undefined) =>
+  targetNames && { weights: targetNames.map(() => 0), extras: { targetNames } };
 
 export class BufferBuilder {
   readonly out: ByteWriter;

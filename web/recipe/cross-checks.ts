@@ -5,7 +5,7 @@ import { type Recipe, type Step, type StepType, stepRow } from './recipe';
 import { namesOf, producedNames, producerOf, referencesOf } from './references';
 
 const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
-/** Those that can hold a skin. */
+/** Those that can hold a skin, and morph targets. */
 const SKIN_EXTENSIONS: readonly string[] = ['glb', 'gltf'];
 const STRAND_EXTENSIONS: readonly string[] = ['abc', 'usda', 'hair', 'glb', 'obj', 'ply'];
 
@@ -61,7 +61,7 @@ function checkMembers(recipe: Recipe, step: Step, at: number): void {
 
 function checkOutputs(recipe: Recipe, made: ReadonlySet<string>): void {
   const files = new Set<string>();
-  for (const [at, { step: name, file, skin }] of recipe.outputs.entries()) {
+  for (const [at, { step: name, file, skin, morphs }] of recipe.outputs.entries()) {
     const wrong = (field: string, message: string) => recipeError(pathText(['outputs', at, field]), message);
     const step = producerOf(recipe, name);
     if (!step)
@@ -79,6 +79,13 @@ function checkOutputs(recipe: Recipe, made: ReadonlySet<string>): void {
       throw wrong('skin', `a ${step.type} step has no joints; leave it out.`);
     if (skin && !SKIN_EXTENSIONS.includes(extensionOf(file)))
       throw wrong('skin', `${quoted(file)} cannot hold a skin; end its name in .glb or .gltf.`);
+    if (morphs && stepRow(step.type).writes !== 'meshes')
+      throw wrong(
+        'morphs',
+        `a ${step.type} step leaves one model, so there is nothing to morph to; leave it out.`,
+      );
+    if (morphs && !SKIN_EXTENSIONS.includes(extensionOf(file)))
+      throw wrong('morphs', `${quoted(file)} cannot hold morph targets; end its name in .glb or .gltf.`);
     if (files.has(file)) throw wrong('file', `${quoted(file)} is written twice; choose another name.`);
     files.add(file);
   }

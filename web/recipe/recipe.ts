@@ -27,7 +27,7 @@ export const STEP_TYPES = {
   match: stepType(matchStep, {
     main: 'models',
     writes: 'meshes',
-    workspace: null,
+    workspace: 'match',
     outputs: ({ models }) => models,
   }),
   blend: stepType(blendStep, { main: 'match', writes: 'mesh', workspace: 'blend', members: blendMembers }),
@@ -57,6 +57,8 @@ const output = v.strictObject({
   ),
   /** The model at rest with joints that hold the pose, instead of the posed model; what is kept to be played is played. */
   skin: v.optional(v.boolean()),
+  /** With the other models that the step leaves as morph targets. */
+  morphs: v.optional(v.boolean()),
 });
 
 const stepSchema = v.variant(

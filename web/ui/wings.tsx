@@ -28,6 +28,7 @@ const faces = {
   merge: () => import('./merge/face'),
   transfer: () => import('./transfer/face'),
   curves: () => import('./curves/face'),
+  match: () => import('./match/face'),
   blend: () => import('./blend/face'),
   dress: () => import('./dress/face'),
 } satisfies Readonly<Record<WorkspaceId, () => Promise<{ readonly face: Face }>>>;

@@ -96,7 +96,6 @@ TEST_CASE("two figures: skins of one connectivity on both, markers met, nothing 
     CHECK(report.skins[1].distances.mean_back < 8e-4);
     CHECK(report.skins[1].distances.most < 0.005);
     CHECK(report.skins[0].distances.most < 0.005);
-    CHECK(report.skins[1].bent);
     CHECK(report.connectivity.any());
     CHECK(std::ssize(report.skins[1].residuals) == result.skins.vertex_count());
     CHECK(euler_characteristic(result.skins.mesh(0)) == 2);
@@ -105,6 +104,44 @@ TEST_CASE("two figures: skins of one connectivity on both, markers met, nothing 
         CHECK((result.skins.points[0].row(v) - a.points.row(m)).norm() < 1e-12 * diagonal(a.points));
         CHECK((result.skins.points[1].row(v) - b.points.row(m)).norm() < 1e-12 * diagonal(b.points));
     }
+}
+
+TEST_CASE("of both starts the better one is kept: a bent arm is bent by its markers, what has one pose is not") {
+    // A tapered arm, straight and bent by a right angle about z.
+    TriangleMesh straight = shapes::box(6, 40, 6, {1, 8, 1.4});
+    for (int v = 0; v < straight.vertex_count(); ++v) {
+        const double taper = 1.2 - 0.08 * straight.points(v, 1);
+        straight.points(v, 0) *= taper;
+        straight.points(v, 2) *= taper * (1 + 0.05 * straight.points(v, 0));
+    }
+    TriangleMesh bent = straight;
+    for (int v = 0; v < bent.vertex_count(); ++v) {
+        const RowVector3d p = straight.points.row(v);
+        const double turn = std::clamp((p.y() - 2) / 4, 0.0, 1.0) * M_PI / 2, beyond = std::max(0.0, p.y() - 6), along = std::min(p.y(), 2.0), r = 8 / M_PI;
+        bent.points.row(v) << r - (r - p.x()) * std::cos(turn) + beyond * std::sin(turn), along + (r - p.x()) * std::sin(turn) + beyond * std::cos(turn), p.z();
+    }
+    Points from(16, 3), to(16, 3);
+    int m = 0;
+    for (int v = 0; v < straight.vertex_count() && m < 16; ++v)
+        if (v % (straight.vertex_count() / 16) == 0) {
+            from.row(m) = straight.points.row(v);
+            to.row(m++) = bent.points.row(v);
+        }
+    const MatchOptions options{.connectivity = false, .levels = 2, .fine_steps = 4};
+    const MatchResult kept = matched(straight, bent, from, to, options);
+    CHECK(kept.report.skins[1].bent);
+    const auto apart = [&](const MatchResult& result) { return (result.skins.points[1] - bent.points).rowwise().norm().mean(); };
+    MatchOptions similar = options;
+    similar.start = MatchStart::similarity;
+    const MatchResult other = matched(straight, bent, from, to, similar);
+    CHECK_FALSE(other.report.skins[1].bent);
+    MESSAGE("bent start " << apart(kept) << ", similarity " << apart(other));
+    CHECK(apart(kept) < apart(other));
+    const TriangleMesh a = figure(0, 3), b = figure(0.3, 3);
+    CHECK_FALSE(matched(a, b, some(a), some(b), options).report.skins[1].bent);
+    MatchOptions radial = options;
+    radial.start = MatchStart::radial;
+    CHECK(matched(a, b, some(a), some(b), radial).report.skins[1].bent);
 }
 
 TEST_CASE("four figures get skins of one connectivity at once") {

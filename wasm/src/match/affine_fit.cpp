@@ -111,6 +111,7 @@ Points AffineFit::solve(std::span<const Pull> pulls, double stiffness) {
     const double r = graph_.radius();
     for (Matrix4d& block : blocks_) block.setZero();
     Columns right = Columns::Zero(4 * n, 3);
+    double squares = 0; // of what is aimed at: the minimum of |M u − y|² is |y|² − u·Mᵀy
 
     double whole = 0;
     for (const Pull& pull : pulls) whole += pull.weight;
@@ -118,6 +119,7 @@ Points AffineFit::solve(std::span<const Pull> pulls, double stiffness) {
     for (const Pull& pull : pulls) {
         const double weight = n / whole * pull.weight;
         if (!(weight > 0)) continue;
+        squares += weight * pull.target.squaredNorm();
         gather(pull, carried);
         for (std::size_t p = 0; p < carried.size(); ++p) {
             const Vector4d weighted = weight * carried[p].basis;
@@ -145,11 +147,13 @@ Points AffineFit::solve(std::span<const Pull> pulls, double stiffness) {
         own(3, 3) += k_keep_place;
         right.middleRows<3>(4 * g) += k_keep_shape * stiffness * r * Eigen::Matrix3d::Identity();
         right.row(4 * g + 3) += k_keep_place * unknowns_.row(4 * g + 3);
+        squares += 3 * k_keep_shape * stiffness * r * r + k_keep_place * unknowns_.row(4 * g + 3).squaredNorm();
     }
     write_values();
     factor_->factorize(A_);
-    factor_->solve(right);
     unknowns_ = right;
+    factor_->solve(unknowns_);
+    energy_ = std::max(0.0, squares - unknowns_.cwiseProduct(right).sum()) / n;
 
     Points moved = Points::Zero(rest_.rows(), 3);
     for (int v = 0; v < moved.rows(); ++v)

@@ -57,7 +57,10 @@ bool SkinCarrier::step() {
     std::vector<Pull> pulls = correspondences_->find({points_, triangles_}, rules, left_out);
     for (int v = 0; v < n; ++v)
         if (marker_[v] >= 0) pulls.push_back(Pull::of_vertex(v, markers_.row(marker_[v]).transpose(), share * k_marker_pull));
-    if (!pulls.empty()) points_ = affine_->solve(pulls, eased(level == 0 ? k_first_stiffness : k_next_stiffness, k_last_stiffness, along(k, schedule_.iterations)));
+    if (!pulls.empty()) {
+        points_ = affine_->solve(pulls, eased(level == 0 ? k_first_stiffness : k_next_stiffness, k_last_stiffness, along(k, schedule_.iterations)));
+        energy_ = affine_->energy();
+    }
     if (++iteration_ < steps()) return true;
     affine_.reset();
     correspondences_.reset();

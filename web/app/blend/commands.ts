@@ -20,7 +20,7 @@ export function blendCommands(context: Context, own: BlendState, blend: BlendAct
   return [
     tool('pick-part', 'mouse-pointer-2', ['V']),
     tool('paint-part', 'paintbrush', ['B']),
-    tool('measure-girth', 'ruler', ['M']),
+    tool('measure-girth', 'ruler', ['G']),
     {
       id: 'blend.new-part',
       group,
@@ -105,7 +105,7 @@ export function blendCommands(context: Context, own: BlendState, blend: BlendAct
       title: 'command.blend.deform',
       icon: 'move',
       enabled: blended,
-      run: () => workspaces.enter('deform'),
+      run: () => workspaces.goOn('deform'),
     },
     {
       id: 'blend.another',

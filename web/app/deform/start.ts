@@ -25,7 +25,7 @@ export function lastDeform({ steps }: Recipe, open: string | undefined): string 
 }
 
 /** A new step after the open one; where that one grows on the surface, before it, so that it follows the shape. */
-export function startDeform({ document }: Pick<WingParts, 'document'>): void {
+export function startDeform({ document, workspaces }: Pick<WingParts, 'document' | 'workspaces'>): void {
   const { recipe, selection } = document;
   const open = edit.stepById(recipe, selection.step);
   if (!open) return;
@@ -36,6 +36,6 @@ export function startDeform({ document }: Pick<WingParts, 'document'>): void {
       ? recipe.steps.flatMap((step) =>
           step === open ? [newDeformStep(id, mainInput(open)), { ...open, [main]: id }] : [step],
         )
-      : [...recipe.steps, newDeformStep(id, open.id)];
+      : [...recipe.steps, newDeformStep(id, writes === 'mesh' ? open.id : workspaces.openModel()!)];
   document.commit(t('history.deform.start'), { ...recipe, steps }, { step: id, item: null });
 }

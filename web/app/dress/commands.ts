@@ -77,7 +77,7 @@ export function dressCommands(context: Context, own: DressState, dress: DressAct
       title: 'command.dress.deform',
       icon: 'move',
       enabled: fitted,
-      run: () => workspaces.enter('deform'),
+      run: () => workspaces.goOn('deform'),
     },
   ];
 }

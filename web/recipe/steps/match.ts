@@ -56,8 +56,11 @@ export const matchStep = v.strictObject({
     v.minLength(2, 'two models or more'),
     v.check((names) => new Set(names).size === names.length, 'models that are all different'),
   ),
-  /** What belongs together: for each marker one place per model, in their order. None at all, or three and more. */
-  markers: v.optional(listUpTo(MAX_MARKERS, listUpTo(MAX_MATCHED, place)), []),
+  /**
+   * What belongs together: for each marker one place per model, in their order; `null` where it is not set yet, and then the
+   * marker is left out. None at all, or three and more that are set everywhere.
+   */
+  markers: v.optional(listUpTo(MAX_MARKERS, listUpTo(MAX_MATCHED, v.nullable(place))), []),
   /** That the skins' edges shall have, in units of the source; its own when left out. */
   edgeLength: v.optional(length),
   /** How much finer skins are where surfaces bend more. */
@@ -66,7 +69,7 @@ export const matchStep = v.strictObject({
   sharpAngle: v.optional(between(1, 180)),
   /** More sharp edges, picked: for each model, in their order, rows of vertices along its edges. */
   sharp: v.optional(listUpTo(MAX_MATCHED, listUpTo(MAX_MARKER_CURVES, list(index)))),
-  /** Lines that belong together: for each curve a row of places per model, in their order. */
+  /** Lines that belong together: for each curve a row of places per model, in their order; left out while one is empty. */
   curves: v.optional(listUpTo(MAX_MARKER_CURVES, listUpTo(MAX_MATCHED, listUpTo(MAX_CURVE_PLACES, place)))),
   /** What is ignored of each model, in their order: holes, hair, a stand. */
   mask: v.optional(listUpTo(MAX_MATCHED, vertexSet)),
@@ -82,6 +85,16 @@ export const matchStep = v.strictObject({
 
 export type MatchStep = v.InferOutput<typeof matchStep>;
 export type MarkerPlace = v.InferOutput<typeof place>;
+
+/** A marker that is set on every model. */
+export type WholeMarker = readonly MarkerPlace[];
+type Marker = MatchStep['markers'][number];
+
+export const isWhole = (marker: Marker): marker is MarkerPlace[] => marker.every((place) => place !== null);
+
+/** A curve needs two places on every model. */
+export const isDrawn = (rows: readonly (readonly MarkerPlace[])[]): boolean =>
+  rows.every(({ length }) => length > 1);
 
 /** A match step as it starts: nothing is marked yet. */
 export const newMatchStep = (id: string, models: readonly string[]): MatchStep =>

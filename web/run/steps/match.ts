@@ -1,12 +1,13 @@
 // The match step: skins of one connectivity over several models (Skins).
 
-import { LissomError } from '../../core/errors';
+import { type Finding, LissomError } from '../../core/errors';
 import { type Model, vertexCount } from '../../core/model';
 import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
 import type { Matched, SkinFigures } from '../../kernel/contract/match';
-import type { MarkerPlace, MatchStep } from '../../recipe/steps/match';
+import { isDrawn, isWhole, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { placePoints } from './match/places';
+import { matchQuestions } from './match/questions';
 import { type InputShape, type StepOutcome, type StepRunner, signalOf } from './step-runner';
 
 /** With one or two markers it is open how the models are turned: none at all, or so many. */
@@ -41,7 +42,7 @@ export const matchQuality = (skin: Model): MatchQuality | undefined => qualities
 export const matchRunner = {
   check(step, path, inputs) {
     checkCounts(step, path);
-    const { length } = step.markers;
+    const { length } = step.markers.filter(isWhole);
     if (length > 0 && length < FEWEST_MARKERS)
       throw new LissomError(
         'marker-count',
@@ -50,7 +51,7 @@ export const matchRunner = {
     for (const [at, input] of inputs.entries()) {
       if (!input) continue;
       for (const [number, places] of step.markers.entries())
-        checkPlace(places[at]!, `${path}.markers[${number}][${at}]`, input);
+        checkPlace(places[at] ?? null, `${path}.markers[${number}][${at}]`, input);
       for (const [number, rows] of (step.curves ?? []).entries())
         for (const [along, place] of rows[at]!.entries())
           checkPlace(place, `${path}.curves[${number}][${at}][${along}]`, input);
@@ -71,15 +72,17 @@ export const matchRunner = {
 
   async run(step, context): Promise<StepOutcome<MatchFigures>> {
     const { inputs, onProgress, onLook } = context;
+    const markers = step.markers.filter(isWhole);
+    const curves = (step.curves ?? []).filter(isDrawn);
     const models = inputs.map(({ model, opened }, at) => ({
       model: opened.id,
       markers: placePoints(
         model,
-        step.markers.map((places) => places[at]!),
+        markers.map((places) => places[at]!),
         inputName(step, at),
       ),
       ignored: indicesOf(step.mask?.[at] ?? [], model),
-      curves: (step.curves ?? []).map((rows) => placePoints(model, rows[at]!, inputName(step, at))),
+      curves: curves.map((rows) => placePoints(model, rows[at]!, inputName(step, at))),
       sharp: (step.sharp?.[at] ?? []).map((row) => Uint32Array.from(row)),
     }));
     const { edgeLength, adapt, sharpAngle, first, genus, method, start } = step;
@@ -110,13 +113,26 @@ export const matchRunner = {
       },
       seconds: { ...matched.seconds },
       peakBytes: matched.peakBytes,
-      warnings: matched.warnings.map(({ model, ...rest }) => ({
-        ...rest,
-        ...(model >= 0 && { model: step.models[model]! }),
-      })),
+      warnings: [
+        ...matched.warnings.map(({ model, ...rest }) => ({
+          ...rest,
+          ...(model >= 0 && { model: step.models[model]! }),
+        })),
+        ...leftOut(step),
+      ],
     };
   },
+  questions: matchQuestions,
 } satisfies StepRunner<MatchStep>;
+
+/** What waits for its place on another model. */
+function leftOut({ markers, curves = [] }: MatchStep): Finding[] {
+  const numbers = markers.flatMap((marker, number) => (isWhole(marker) ? [] : [number]));
+  const lines = curves.flatMap((rows, number) => (isDrawn(rows) ? [] : [number]));
+  const finding = (code: string, examples: readonly number[]): Finding[] =>
+    examples.length > 0 ? [{ code, count: examples.length, examples, repaired: false }] : [];
+  return [...finding('marker-incomplete', numbers), ...finding('curve-incomplete', lines)];
+}
 
 const inputName = ({ models }: MatchStep, at: number): string => models[at]!;
 
@@ -134,7 +150,7 @@ function skinOf(name: string, { triangles, positions }: Matched, at: number): Mo
 }
 
 /** @throws LissomError `index-out-of-range` */
-function checkPlace(place: MarkerPlace, path: string, input: InputShape): void {
+function checkPlace(place: MarkerPlace | null, path: string, input: InputShape): void {
   if (typeof place === 'number') checkVertices([place], path, input);
 }
 

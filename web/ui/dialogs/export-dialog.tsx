@@ -4,7 +4,7 @@ import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
 import { Dialog } from '../controls/dialog';
-import { Segments, Switch } from '../controls/fields';
+import { Segments, SelectField, Switch } from '../controls/fields';
 
 interface Choice<F extends string> {
   readonly format: F;
@@ -19,10 +19,14 @@ export function ExportDialog({ onClose }: { onClose: () => void }) {
   const [format, setFormat] = useState<ExportFormat>(files.exportChoices[0]?.format ?? 'glb');
   const [own, setOwn] = useState(group?.choices[0]?.format ?? '');
   const [option, setOption] = useState(false);
+  const models = files.exportModels();
+  const [number, setNumber] = useState(0);
   const ofGroup = what === 'group' ? group : undefined;
   const save = () => {
     onClose();
-    const saved = ofGroup ? files.exportOf(ofGroup, own, option) : files.exportModel(format);
+    const saved = ofGroup
+      ? files.exportOf(ofGroup, own, option)
+      : files.exportModel(format, models.length > 0 ? number : undefined);
     saved.catch((error: unknown) => messages.failed(error));
   };
   return (
@@ -54,7 +58,17 @@ export function ExportDialog({ onClose }: { onClose: () => void }) {
           {ofGroup.option && <Switch label={ofGroup.option} checked={option} onChange={setOption} />}
         </>
       ) : (
-        <Choices choices={files.exportChoices} value={format} onChange={setFormat} />
+        <>
+          {models.length > 0 && (
+            <SelectField
+              label={t('ui.export.which')}
+              value={String(number)}
+              options={models.map(({ name }, at) => ({ value: String(at), label: name }))}
+              onChange={(at) => setNumber(Number(at))}
+            />
+          )}
+          <Choices choices={files.exportChoices} value={format} onChange={setFormat} />
+        </>
       )}
       <p class="muted">{ofGroup?.about ?? t('ui.export.topology')}</p>
     </Dialog>

@@ -95,7 +95,7 @@ export function Palette({ onClose }: { onClose: () => void }) {
   );
 }
 
-/** Lower is better: at the start, at a word's start, inside, letters in order; Infinity for no match. */
+/** Lower is better: at the start, at a word's start, inside, letters in order; Infinity where it does not fit. */
 function rank(title: string, typed: string): number {
   const name = title.toLowerCase();
   const wanted = typed.trim().toLowerCase();

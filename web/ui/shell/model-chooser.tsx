@@ -1,3 +1,4 @@
+import type { ComponentChildren } from 'preact';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
@@ -7,10 +8,12 @@ interface Props {
   title: string;
   help: string;
   onCancel: () => void;
+  /** What else may be chosen. */
+  children?: ComponentChildren;
 }
 
 /** The place of a model while there is none: gallery models, or a file of one's own. */
-export function ModelChooser({ title, help, onCancel }: Props) {
+export function ModelChooser({ title, help, onCancel, children }: Props) {
   const { state, gallery, files, messages } = useApp();
   const models = gallery.entries.value.filter(({ recipe }) => !recipe);
   return (
@@ -28,6 +31,7 @@ export function ModelChooser({ title, help, onCancel }: Props) {
         <Button icon="x" iconOnly label={t('ui.cancel')} onClick={onCancel} />
       </header>
       <p class="muted">{help}</p>
+      {children}
       <ul class="gallery">
         {models.map(({ name, title: shown, thumbnail, licence }) => (
           <li key={name}>

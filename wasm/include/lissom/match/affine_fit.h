@@ -31,6 +31,9 @@ public:
     /// @returns where all vertices are carried. @throws SolverFailure
     Points solve(std::span<const Pull> pulls, double stiffness);
 
+    /// What the last solve could not avoid: the minimum divided by N, a mean square, in the unit of `rest` squared.
+    [[nodiscard]] double energy() const { return energy_; }
+
 private:
     using Basis = Eigen::Vector4d; ///< (x − g)/r and 1, times the weight
     struct Carried {
@@ -51,6 +54,7 @@ private:
     std::vector<std::pair<int, int>> pairs_; ///< of nodes that carry a common vertex
     std::vector<Eigen::Matrix4d> blocks_;
     Columns unknowns_;                   ///< 4N×3: rows of A_gᵀ, then t_gᵀ
+    double energy_ = 0;
     SparseMatrix A_;
     std::optional<SparseCholesky> factor_;
 };

@@ -11,7 +11,7 @@ namespace lissom {
 
 /// How a source model first comes to lie on a target.
 enum class MatchStart {
-    automatic,  ///< by the markers' shape, see align_markers
+    automatic,  ///< the similarity where markers are flat or few; else both are tried, and the one that leaves less is kept
     similarity, ///< moved, turned and scaled, never mirrored
     radial      ///< bent, so that every marker is met
 };

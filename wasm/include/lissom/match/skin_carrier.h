@@ -53,11 +53,14 @@ public:
 
     /// @returns true while there is more. @throws SolverFailure
     bool step();
+    [[nodiscard]] int steps() const { return graphs_.count() * schedule_.iterations; }
     [[nodiscard]] double fraction() const { return static_cast<double>(iteration_) / steps(); }
+    [[nodiscard]] int levels_done() const { return iteration_ / schedule_.iterations; }
     [[nodiscard]] const Points& points() const { return points_; }
+    /// What the last step could not avoid, see `AffineFit::energy`.
+    [[nodiscard]] double energy() const { return energy_; }
 
 private:
-    [[nodiscard]] int steps() const { return graphs_.count() * schedule_.iterations; }
     void begin_level(int level);
 
     Points rest_, points_;
@@ -69,6 +72,7 @@ private:
     CarrySchedule schedule_;
     std::uint64_t seed_;
     int iteration_ = 0;
+    double energy_ = 0;
     int asked_ = 0; ///< vertices, and samples, by which it is carried on this level
     std::optional<Correspondences> correspondences_;
     std::optional<AffineFit> affine_;

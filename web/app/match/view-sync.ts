@@ -1,0 +1,224 @@
+// The match workspace on screen: the first model in the main viewport, each other one in a pane, with their skins, lines
+// and masks, and the tools on all of them. Numbers lie over the panes, on the page.
+
+import { effect, untracked } from '@preact/signals';
+import { CurveTool } from '../../tools/match/curve-tool';
+import { MarkerTool } from '../../tools/match/marker-tool';
+import { maskTool } from '../../tools/match/mask-tool';
+import { pointOf } from '../../tools/match/places';
+import type { Tool } from '../../tools/tool';
+import { SKIN } from '../../view/match/skin-layer';
+import { CONTROL_LINES } from '../../view/overlays/control-lines';
+import type { ControlLine } from '../../view/overlays/types';
+import type { Vec3, ViewportPort } from '../../view/types';
+import { listed, PaintedRegions } from '../painted-regions';
+import { paneModel } from '../panes';
+import { PointerSwitch } from '../tools';
+import type { Mounted } from '../wing';
+import type { WingParts } from '../wing-parts';
+import type { MatchActions } from './actions';
+import { followGhosts } from './ghosts';
+import { AppMatchHost } from './host';
+import { sizeOf } from './marking';
+import { heatTop } from './result';
+import type { MatchState } from './state';
+
+type Parts = Pick<WingParts, 'state' | 'document' | 'settings' | 'panes' | 'runner' | 'messages'>;
+
+interface Synced {
+  readonly tools: Readonly<Record<string, Tool>>;
+  readonly cancel: () => boolean;
+  readonly stop: () => void;
+}
+
+export function mountMatch(
+  viewport: ViewportPort,
+  parts: Parts,
+  own: MatchState,
+  actions: MatchActions,
+): Mounted {
+  const main = syncModel(0, viewport, parts, own, actions);
+  const frame = framing(viewport, () => own.models.peek().length > 0);
+  const others: Synced[] = [];
+  const stops = [
+    // As many panes as there are models beside the first; they stay while only what is in them changes.
+    effect(() => {
+      const wanted = Math.max(0, own.models.value.length - 1);
+      untracked(() => {
+        for (const gone of others.splice(wanted)) gone.stop();
+        const panes = parts.panes.take(wanted) ?? [];
+        for (const pane of panes.slice(others.length))
+          others.push(syncPane(others.length + 1, pane.viewport, parts, own, actions));
+      });
+    }),
+    effect(() => {
+      // Of another step, or of other models, nothing is looked at.
+      if (own.poor.value !== null && (!own.result.value || own.marker.value !== null)) own.poor.value = null;
+    }),
+    followGhosts(own, parts),
+    frame,
+  ];
+  return {
+    tools: main.tools,
+    cancel: () => others.map(({ cancel }) => cancel()).some((active) => active),
+    unmount: () => {
+      for (const stop of stops) stop();
+      for (const each of [main, ...others]) each.stop();
+      viewport.setDisplay(parts.state.display.peek());
+    },
+  };
+}
+
+/** A model in a pane of its own. */
+function syncPane(
+  at: number,
+  viewport: ViewportPort,
+  parts: Parts,
+  own: MatchState,
+  actions: MatchActions,
+): Synced {
+  const show = paneModel(viewport);
+  const shown = effect(() => show(own.models.value[at] ?? null));
+  const synced = syncModel(at, viewport, parts, own, actions);
+  const pointer = new PointerSwitch(viewport, () => synced.tools[parts.state.tool.peek()], parts.settings);
+  viewport.setPointerHandler(pointer);
+  const frame = framing(viewport, () => own.models.peek()[at] !== undefined);
+  return {
+    tools: synced.tools,
+    cancel: () => pointer.cancel(),
+    stop: () => {
+      frame();
+      synced.stop();
+      shown();
+      show(null);
+      viewport.setPointerHandler(null);
+    },
+  };
+}
+
+/** Frames what a viewport shows once it has its size beside the others. */
+function framing(viewport: ViewportPort, isThere: () => boolean): () => void {
+  let isFramed = false;
+  return viewport.onDraw(() => {
+    if (isFramed || viewport.size.width <= 1 || !isThere()) return;
+    isFramed = true;
+    viewport.fit();
+  });
+}
+
+/** What is seen on a model in a viewport that shows it. */
+function syncModel(
+  at: number,
+  viewport: ViewportPort,
+  parts: Parts,
+  own: MatchState,
+  actions: MatchActions,
+): Synced {
+  const { state } = parts;
+  const host = new AppMatchHost(at, viewport, { ...parts, own, actions });
+  const skin = viewport.mount(SKIN);
+  const lines = viewport.mount(CONTROL_LINES);
+  const painted = new PaintedRegions(viewport);
+  const stops = [
+    effect(() => skin.port.setSkin(skinLook(own, at))),
+    effect(() => showMask(painted, own, at)),
+    effect(() => lines.port.setLines(linesOf(own, at, Boolean(state.choosing.value)))),
+    effect(() => {
+      const display = state.display.value;
+      const alone = own.skinOf(at) !== null && own.lookOf(at) === 'skin';
+      viewport.setDisplay(alone ? { ...display, wireframe: false } : display);
+    }),
+    effect(() => {
+      const vertex = own.poor.value;
+      if (vertex === null) return;
+      untracked(() => frameAround(viewport, own, at, vertex));
+    }),
+  ];
+  return {
+    tools: {
+      'match-marker': new MarkerTool(host, true),
+      'match-turn': new MarkerTool(host, false),
+      'match-curve': new CurveTool(host),
+      'match-mask': maskTool(host),
+    },
+    cancel: () => false,
+    stop: () => {
+      for (const stop of stops) stop();
+      skin.unmount();
+      lines.unmount();
+      painted.clear();
+    },
+  };
+}
+
+function skinLook(own: MatchState, at: number) {
+  const skin = own.skinOf(at);
+  const look = own.lookOf(at);
+  if (!skin || look === 'model') return null;
+  const result = own.growing.value ? null : own.result.value;
+  const heat = own.heat.value && result ? heatOf(result.residuals[at]!, heatTop(result)) : undefined;
+  return { skin, alone: look === 'skin', edges: own.edges.value, heat };
+}
+
+const heats = new WeakMap<Float32Array, Float32Array>();
+
+function heatOf(residuals: Float32Array, top: number): Float32Array {
+  let heat = heats.get(residuals);
+  if (!heat) {
+    heat = residuals.map((distance) => distance / top);
+    heats.set(residuals, heat);
+  }
+  return heat;
+}
+
+function showMask(painted: PaintedRegions, own: MatchState, at: number): void {
+  const shown = own.models.value[at];
+  const step = own.step.value;
+  if (!shown || !step) {
+    painted.clear();
+    return;
+  }
+  const stroke = own.stroke.value;
+  const vertices =
+    (stroke?.model === at ? stroke.mask : undefined) ??
+    listed(step.mask?.[at] ?? [], shown.model.positions.length / 3);
+  painted.show(shown, [{ id: 'mask', tint: 'red', vertices, visible: true, selected: false }]);
+}
+
+function linesOf(own: MatchState, at: number, choosing: boolean): ControlLine[] {
+  const shown = own.models.value[at];
+  const step = own.step.value;
+  if (!shown || !step || choosing) return [];
+  const selected = own.curve.value;
+  const line = (id: string, points: readonly Vec3[], isSelected: boolean): ControlLine => ({
+    id,
+    points,
+    tint: isSelected ? 'cyan' : 'yellow',
+    selected: isSelected,
+    plain: true,
+  });
+  const drawn = (step.curves ?? []).flatMap((rows, curve): ControlLine[] => {
+    const points = (rows[at] ?? []).map((place) => pointOf(shown, place)).filter((point) => point !== null);
+    return points.length > 1 ? [line(String(curve), points, curve === selected)] : [];
+  });
+  const stroke = own.stroke.value;
+  const under = stroke?.model === at ? (stroke.line ?? []) : [];
+  return under.length > 1 ? [...drawn, line('stroke', under, true)] : drawn;
+}
+
+/** Of the model's size: what is seen around a poor place. */
+const AROUND = 0.09;
+
+function frameAround(viewport: ViewportPort, own: MatchState, at: number, vertex: number): void {
+  const skin = own.skinOf(at);
+  const shown = own.models.peek()[at];
+  if (!skin || !shown) return;
+  const { positions } = shown.model;
+  const [x, y, z] = skin.positions.subarray(3 * vertex, 3 * vertex + 3);
+  const reach = AROUND * sizeOf(positions);
+  const near: number[] = [];
+  for (let v = 0; v < positions.length / 3; v++)
+    if (Math.hypot(positions[3 * v]! - x!, positions[3 * v + 1]! - y!, positions[3 * v + 2]! - z!) < reach)
+      near.push(v);
+  if (near.length > 0) viewport.fit(Uint32Array.from(near));
+}

@@ -1,0 +1,103 @@
+import { t } from '../../app/i18n';
+import type { MatchStep } from '../../recipe/recipe';
+import { NumberField, SelectField, SliderField, Switch } from '../controls/fields';
+import { Section } from '../controls/section';
+import { useMatch } from './use-match';
+
+const FIRST = ['automatic', 'copy', 'remesh', 'wrap', 'box', 'sphere', 'torus'] as const;
+const METHODS = ['graph', 'paper'] as const;
+const STARTS = ['automatic', 'similarity', 'radial'] as const;
+/** Degrees: a bevel is below, a corner above. */
+const USUAL_ANGLE = 40;
+
+/** What most matches do without. */
+export function OptionsPanel() {
+  const { state: own, actions: match } = useMatch();
+  const step = own.step.value;
+  if (!step) return null;
+  return (
+    <Section title={t('ui.match.advanced')} closed>
+      <Surface step={step} />
+      <SelectField
+        label={t('ui.match.first')}
+        value={step.first ?? 'automatic'}
+        options={FIRST.map((value) => ({ value, label: t(`ui.match.first.${value}`) }))}
+        onChange={(value) => match.set({ first: value === 'automatic' ? undefined : value })}
+      />
+      {step.first === 'wrap' && (
+        <SliderField
+          label={t('ui.match.genus')}
+          value={step.genus ?? 0}
+          min={0}
+          max={20}
+          step={1}
+          digits={0}
+          onChange={(genus) => match.set({ genus: Math.round(genus) }, true)}
+          onCommit={() => match.edits.finish()}
+        />
+      )}
+      <SelectField
+        label={t('ui.match.start')}
+        value={step.start}
+        options={STARTS.map((value) => ({ value, label: t(`ui.match.start.${value}`) }))}
+        onChange={(start) => match.set({ start })}
+      />
+      <SelectField
+        label={t('ui.match.method')}
+        value={step.method}
+        options={METHODS.map((value) => ({ value, label: t(`ui.match.method.${value}`) }))}
+        onChange={(method) => match.set({ method })}
+      />
+    </Section>
+  );
+}
+
+/** Sharp edges, and how fine the skins are. */
+function Surface({ step }: { step: MatchStep }) {
+  const { actions: match } = useMatch();
+  const finish = () => match.edits.finish();
+  return (
+    <>
+      <Switch
+        label={t('ui.match.sharp')}
+        title={t('ui.match.sharp-angle.help')}
+        checked={step.sharpAngle !== undefined}
+        onChange={(on) => match.set({ sharpAngle: on ? USUAL_ANGLE : undefined })}
+      />
+      {step.sharpAngle !== undefined && (
+        <SliderField
+          label={t('ui.match.sharp-angle')}
+          value={step.sharpAngle}
+          min={10}
+          max={120}
+          step={1}
+          digits={0}
+          onChange={(sharpAngle) => match.set({ sharpAngle }, true)}
+          onCommit={finish}
+        />
+      )}
+      <div class="field" title={t('ui.match.edge-length.help')}>
+        <span class="label">{t('ui.match.edge-length')}</span>
+        <NumberField
+          label={t('ui.match.edge-length')}
+          value={step.edgeLength ?? 0}
+          min={0}
+          step={0.001}
+          digits={5}
+          onChange={(length) => match.set({ edgeLength: length > 0 ? length : undefined }, true)}
+          onCommit={finish}
+        />
+      </div>
+      <SliderField
+        label={t('ui.match.adapt')}
+        value={100 * step.adapt}
+        min={0}
+        max={100}
+        step={5}
+        digits={0}
+        onChange={(part) => match.set({ adapt: part / 100 }, true)}
+        onCommit={finish}
+      />
+    </>
+  );
+}

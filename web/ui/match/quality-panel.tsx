@@ -1,0 +1,120 @@
+import { t, tCode } from '../../app/i18n';
+import type { Matching, PoorPlace } from '../../app/match/result';
+import type { Finding } from '../../core/errors';
+import { isWhole } from '../../recipe/steps/match';
+import { useApp } from '../context';
+import { CommandButton } from '../controls/command-button';
+import { Icon } from '../controls/icon';
+import { Section } from '../controls/section';
+import { percent } from './percent';
+import { useMatch } from './use-match';
+
+const FIGURES = ['mean', 'p99', 'folds', 'crossings', 'flipped'] as const;
+
+/** How good the skins are, and where another marker would help. */
+export function QualityPanel() {
+  const { state: own } = useMatch();
+  const result = own.result.value;
+  if (!result || own.growing.value) return null;
+  return (
+    <Section
+      title={t('ui.match.quality')}
+      aside={
+        <>
+          <CommandButton command="match.heat" iconOnly />
+          <CommandButton command="match.edges" iconOnly />
+        </>
+      }
+    >
+      <Table result={result} />
+      <p class="muted">
+        {t('ui.match.figure.marker')} {percent(result.markerError)}
+      </p>
+      <Findings result={result} />
+      <Poor result={result} />
+    </Section>
+  );
+}
+
+function Table({ result: { of, quality } }: { result: Matching }) {
+  return (
+    <table class="match-quality">
+      <thead>
+        <tr>
+          <td />
+          {FIGURES.map((figure) => (
+            <th key={figure} scope="col" title={t(`ui.match.figure.${figure}.help`)}>
+              {t(`ui.match.figure.${figure}`)}
+            </th>
+          ))}
+        </tr>
+      </thead>
+      <tbody>
+        {quality.map((each, at) => (
+          <tr key={of.models[at]}>
+            <th scope="row" title={of.models[at]}>
+              {of.models[at]}
+            </th>
+            {FIGURES.map((figure) => (
+              <td key={figure} class={figure === 'flipped' && each[figure] > 0 ? 'bad' : ''}>
+                {figure === 'mean' || figure === 'p99' ? percent(each[figure]) : each[figure]}
+              </td>
+            ))}
+          </tr>
+        ))}
+      </tbody>
+    </table>
+  );
+}
+
+/** What the match has to say, once for all models. */
+function Findings({ result }: { result: Matching }) {
+  const { state } = useApp();
+  const codes = [...new Set(state.warnings.value.map(({ code }) => code))];
+  return codes.map((code) => {
+    const found = state.warnings.value.filter((each) => each.code === code);
+    const count = found.reduce((sum, each) => sum + each.count, 0);
+    return (
+      <p key={code} class="note warn">
+        <Icon name="triangle-alert" />
+        {tCode('finding.', code, 'finding.unknown', { count, numbers: numbersOf(found, result) })}
+      </p>
+    );
+  });
+}
+
+/** Markers by the numbers that they have on screen: those that are not set everywhere were left out. */
+function numbersOf(found: readonly Finding[], { of }: Matching): string {
+  const numbers = of.markers.flatMap((marker, at) => (isWhole(marker) ? [at + 1] : []));
+  return found.flatMap(({ examples }) => examples.map((at) => numbers[at] ?? at + 1)).join(', ');
+}
+
+function Poor({ result: { poor, of } }: { result: Matching }) {
+  const { state: own, actions: match } = useMatch();
+  if (poor.length === 0) return <p class="muted">{t('ui.match.poor.none')}</p>;
+  const row = (place: PoorPlace) => (
+    <li
+      key={`${place.model} ${place.vertex}`}
+      class={own.poor.value === place.vertex ? 'row selected' : 'row'}
+    >
+      <button
+        type="button"
+        class="row-main"
+        aria-pressed={own.poor.value === place.vertex}
+        onClick={() => match.showPoor(place)}
+      >
+        <Icon name="crosshair" />
+        <span>{of.models[place.model]}</span>
+        <span class="muted count">{percent(place.distance)}</span>
+      </button>
+    </li>
+  );
+  return (
+    <>
+      <h3 class="match-poor">{t('ui.match.poor')}</h3>
+      <ul class="list" aria-label={t('ui.match.poor')}>
+        {poor.map(row)}
+      </ul>
+    </>
+  );
+}
