@@ -131,6 +131,7 @@ TriangleMesh shared_model(const std::string& name) {
         if (line.rfind("element vertex ", 0) == 0) vertices = std::stoi(line.substr(15));
         if (line.rfind("element face ", 0) == 0) faces = std::stoi(line.substr(13));
         if (line.rfind("property uchar ", 0) == 0 && faces == 0) ++beside;
+        if (line.rfind("property float n", 0) == 0) beside += 4; // normals
     }
     mesh.points.resize(vertices, 3);
     mesh.triangles.resize(faces, 3);

@@ -1,5 +1,8 @@
 #include "lissom/match/match_session.h"
 
+#include "lissom/match/fit_surface.h"
+#include "lissom/match/marker_curves.h"
+
 #include "../refusal.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
@@ -279,6 +282,115 @@ TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
     (void)check("all in one place", same_from, same_to);
 }
 
+TEST_CASE("masks: an arm that the target alone has is left out, an arm that the source alone has keeps its shape") {
+    const TriangleMesh a = figure(0, 4);
+    // The same without its first arm: pressed flat onto the ball.
+    TriangleMesh b = a;
+    std::vector<int> arm;
+    const Vector3d first = Vector3d(1, 0.2, 0.1).normalized();
+    for (int v = 0; v < b.vertex_count(); ++v) {
+        const Vector3d d = b.points.row(v).normalized();
+        if (d.dot(first) > 0.75) arm.push_back(v);
+        if (d.dot(first) < 0.8) continue;
+        b.points.row(v) = (std::min(b.points.row(v).norm(), 0.56) * d).transpose();
+    }
+    Points from(0, 3), to(0, 3);
+    for (int m = 0; m < 12; ++m)
+        if (a.points.row(m).normalized().dot(first) < 0.75) {
+            from.conservativeResize(from.rows() + 1, 3);
+            to.conservativeResize(to.rows() + 1, 3);
+            from.row(from.rows() - 1) = a.points.row(m);
+            to.row(to.rows() - 1) = b.points.row(m);
+        }
+    const WorkingMesh with = shapes::working(a), without = shapes::working(b);
+    const auto run = [&](const MatchModel& source, const MatchModel& target, bool connectivity) {
+        MatchSession session({source, target}, {.connectivity = connectivity});
+        while (session.step()) {
+        }
+        return session.result();
+    };
+    const auto tallest = [&](const Points& points) { return (points * first).maxCoeff(); };
+    const double arm_height = tallest(a.points);
+    for (const bool connectivity : {false, true}) {
+        CAPTURE(connectivity);
+        // The target has an arm more: masked, nothing of the skin goes up it.
+        const MatchResult drawn = run({&without, to}, {&with, from}, connectivity), left = run({&without, to}, {&with, from, arm}, connectivity);
+        MESSAGE("height reached: " << tallest(drawn.skins.points[1]) << " unmasked, " << tallest(left.skins.points[1]) << " masked, of " << arm_height);
+        CHECK(tallest(left.skins.points[1]) < 0.7);
+        CHECK(left.report.skins[1].distances.mean_back < 2e-3);
+        // The source has an arm more: masked, as the place where the target has none, it stays an arm.
+        const MatchResult pressed = run({&with, from}, {&without, to}, connectivity), kept = run({&with, from, arm}, {&without, to, arm}, connectivity);
+        MESSAGE("height kept: " << tallest(pressed.skins.points[1]) << " unmasked, " << tallest(kept.skins.points[1]) << " masked, of " << arm_height);
+        CHECK(tallest(kept.skins.points[1]) > 0.85 * arm_height);
+        CHECK(tallest(pressed.skins.points[1]) < 0.75 * arm_height);
+        CHECK(kept.report.skins[1].distances.mean_there < 2e-3);
+    }
+}
+
+TEST_CASE("a marker curve brings what it runs along onto the other, where markers alone leave it aside") {
+    // A ball with nothing on it that tells directions: markers at the poles and around the equator, a curve along a meridian that is bent on the other.
+    const TriangleMesh ball = shapes::icosphere(4);
+    const auto meridian = [](double bend) {
+        Points line(40, 3);
+        for (int i = 0; i < 40; ++i) {
+            const double up = -1 + 2 * i / 39.0, angle = bend * std::sin(M_PI * up);
+            line.row(i) << std::cos(angle) * std::cos(up), std::sin(angle) * std::cos(up), std::sin(up);
+        }
+        return line;
+    };
+    Points six(6, 3);
+    six << 0, 0, 1, 0, 0, -1, 1, 0, 0, 0, 1, 0, -1, 0, 0, 0, -1, 0;
+    const WorkingMesh working = shapes::working(ball);
+    const auto apart = [&](const std::vector<Points>& from, const std::vector<Points>& to) {
+        MatchSession session({{&working, six, {}, from}, {&working, six, {}, to}}, {.connectivity = true});
+        while (session.step()) {
+        }
+        const MatchResult result = session.result();
+        CHECK(result.report.skins[1].crossings == 0);
+        const FitSurface skin(result.skins.mesh(0));
+        const Points line = places_along_polyline(meridian(0), 40), other = places_along_polyline(meridian(0.4), 40);
+        double sum = 0;
+        for (int i = 0; i < 40; ++i) {
+            const auto at = skin.nearest(line.row(i), Vector3d::Zero(), -1, 1);
+            const Vector3d weights = corner_weights(skin.mesh(), at.triangle, at.point);
+            RowVector3d image = RowVector3d::Zero();
+            for (int k = 0; k < 3; ++k) image += weights[k] * result.skins.points[1].row(skin.mesh().triangles(at.triangle, k));
+            sum += (image - other.row(i)).norm() / 40;
+        }
+        return sum;
+    };
+    const double by_markers = apart({}, {}), by_curve = apart({meridian(0)}, {meridian(0.4)});
+    MESSAGE("from the curve: " << by_markers << " by markers alone, " << by_curve << " by the curve");
+    CHECK(by_curve < 0.1 * by_markers);
+    CHECK(by_markers > 0.1);
+}
+
+TEST_CASE("lengths that adapt put vertices where surfaces are curved: nearer to the model with as many") {
+    const TriangleMesh a = figure(0, 4), b = figure(0.5, 4);
+    const MatchResult even = matched(a, b, some(a), some(b), {.edge_length = 0.045, .fine_steps = 18}), adapted = matched(a, b, some(a), some(b), {.edge_length = 0.045, .fine_steps = 18, .adapt = 1});
+    const auto most = [](const MatchResult& r) { return std::max(r.report.skins[0].distances.most, r.report.skins[1].distances.most); };
+    MESSAGE(even.skins.vertex_count() << " even: 99 % " << most(even) << "; " << adapted.skins.vertex_count() << " adapted: " << most(adapted));
+    CHECK(adapted.skins.vertex_count() < even.skins.vertex_count());
+    CHECK(most(adapted) < 0.95 * most(even));
+    CHECK(adapted.report.skins[1].crossings == 0);
+}
+
+TEST_CASE("where it is worst is told: at an arm that the source has not got") {
+    const TriangleMesh a = figure(0, 4);
+    TriangleMesh b = a;
+    const Vector3d up = Vector3d(-1, -1, 1).normalized();
+    for (int v = 0; v < b.vertex_count(); ++v) {
+        const Vector3d d = a.points.row(v).normalized();
+        b.points.row(v) += 0.6 * std::exp(200 * (d.dot(up) - 1)) * d.transpose();
+    }
+    const MatchResult result = matched(a, b, some(a), some(b), {.connectivity = false, .levels = 2, .fine_steps = 4});
+    const SkinReport& report = result.report.skins[1];
+    REQUIRE(report.worst.size() > 1);
+    CHECK(report.worst.size() <= 5);
+    CHECK(result.skins.points[1].row(report.worst[0]).normalized().dot(up) > 0.95);
+    for (std::size_t k = 1; k < report.worst.size(); ++k) CHECK(report.residuals[report.worst[k]] <= report.residuals[report.worst[k - 1]]);
+}
+
 TEST_CASE("what is wrong with markers is said") {
     const TriangleMesh a = figure(0, 3), b = figure(0.1, 3);
     TriangleMesh mirror = shapes::turned_inside_out(b);
@@ -330,6 +442,16 @@ TEST_CASE("models without area and options out of range are refused; broken mode
     CHECK(refusal([&] { MatchSession({{&good, none}, {&good, Points::Zero(1, 3)}}); }) == "marker-count");
     CHECK(refusal([&] { MatchSession({{&good, none}}); }) == "model-count");
     CHECK(refusal([&] { MatchSession({{&good, Points::Constant(1, 3, std::nan(""))}, {&good, Points::Zero(1, 3)}}); }) == "non-finite-marker");
+    const Points dot = Points::Zero(3, 3);
+    Points way(2, 3);
+    way << 0, 0, 0, 1, 0, 0;
+    CHECK(refusal([&] { MatchSession({{&good, none, {}, {way}}, {&good, none}}); }) == "curve-count");
+    CHECK(refusal([&] { MatchSession({{&good, none, {}, {way}}, {&good, none, {}, {dot}}}); }) == "bad-curve");
+    CHECK(refusal([&] { MatchSession({{&good, none, {1000000}}, {&good, none}}); }) == "bad-mask");
+    std::vector<int> everything;
+    for (int v = 0; v < ball.vertex_count(); ++v) everything.push_back(v);
+    CHECK(refusal([&] { MatchSession({{&good, none}, {&good, none, everything}}); }) == "bad-mask");
+    CHECK(refusal([&] { MatchSession({{&good, none}, {&good, none}}, {.adapt = 2}); }) == "bad-option");
     for (const MatchOptions& options : {MatchOptions{.edge_length = -1}, MatchOptions{.levels = 0}, MatchOptions{.levels = 9}, MatchOptions{.fine_steps = 0}, MatchOptions{.most_vertices = -1}})
         CHECK(refusal([&] { MatchSession({{&good, none}, {&good, none}}, options); }) == "bad-option");
     for (const auto& [name, broken] : shapes::eight_broken(ball)) {

@@ -29,11 +29,14 @@ struct Carried {
 };
 Carried carried(const TriangleMesh& from, const TriangleMesh& to, int markers, int levels = 2) {
     const FitSurface surface(to);
-    std::vector<int> marker(static_cast<std::size_t>(from.vertex_count()), -1);
-    for (int m = 0; m < markers; ++m) marker[static_cast<std::size_t>(m)] = m;
+    CarryGuides guides{{}, std::vector<char>(static_cast<std::size_t>(from.vertex_count()), 0), {}};
+    for (int m = 0; m < markers; ++m) {
+        guides.left_out[static_cast<std::size_t>(m)] = 1;
+        guides.pulls.push_back(Pull::of_vertex(m, to.points.row(m).transpose(), 30));
+    }
     const CarrySchedule schedule = carry_schedule(markers);
     GraphLevels graphs(from, schedule.radius, levels);
-    SkinCarrier carrier(from.points, from.triangles, marker, graphs, surface, to.points.topRows(markers), schedule);
+    SkinCarrier carrier(from.points, from.triangles, graphs, surface, guides, schedule);
     CHECK(carrier.fraction() == 0);
     Carried result;
     double before = 0;

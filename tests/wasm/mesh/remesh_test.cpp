@@ -120,7 +120,7 @@ TEST_CASE("a ball, a ring and a block with two tunnels stay what they are, in ev
             CHECK(s.within > 0.95);
             CHECK(s.one_percent > 20);
             // What is round keeps its volume; the block's edges are no curves here and are rounded.
-            if (euler_characteristic(mesh) >= 0) CHECK(signed_volume(out.mesh) > 0.9 * signed_volume(mesh));
+            if (euler_characteristic(mesh) >= 0) CHECK(signed_volume(out.mesh) > 0.85 * signed_volume(mesh));
         }
 }
 

@@ -24,11 +24,18 @@ Eigen::VectorXd area_shares(const TriangleMesh& mesh) {
 } // namespace
 
 Correspondences::Correspondences(const FitSurface& surface, const SurfaceSamples& samples, bool facing)
-    : surface_(surface), places_(samples.on(surface.mesh())), facing_(samples.size(), 3), has_facing_(facing), reverse_hints_(static_cast<std::size_t>(samples.size()), -1) {
-    for (int i = 0; i < samples.size(); ++i) facing_.row(i) = surface.normals().row(samples.triangle[i]);
+    : surface_(surface), places_(samples.on(surface.mesh())), facing_(samples.size(), 3), has_facing_(facing) {
+    Eigen::Index kept = 0;
+    for (int i = 0; i < samples.size(); ++i) {
+        if (surface.ignores(samples.triangle[i])) continue;
+        places_.row(kept) = places_.row(i);
+        facing_.row(kept++) = surface.normals().row(samples.triangle[i]);
+    }
+    places_.conservativeResize(kept, 3);
+    reverse_hints_.assign(static_cast<std::size_t>(kept), -1);
 }
 
-std::vector<Pull> Correspondences::find(const TriangleMesh& skin, const CorrespondenceRules& rules, const std::vector<char>& left_out) {
+std::vector<Pull> Correspondences::find(const TriangleMesh& skin, const CorrespondenceRules& rules, const std::vector<char>& left_out, const std::vector<char>& masked) {
     std::vector<Pull> pulls;
     const int n = skin.vertex_count();
     if (triangles_ != skin.triangle_count() || std::ssize(hints_) != n) {
@@ -50,6 +57,7 @@ std::vector<Pull> Correspondences::find(const TriangleMesh& skin, const Correspo
             hints_[v] = place.triangle;
             if (place.on_border) continue;
         }
+        if (place.ignored) continue;
         const double weight = shares[v] * std::max(place.cosine, 0.0);
         if (weight > 0) pulls.push_back(Pull::of_vertex(v, place.point, weight));
     }
@@ -63,6 +71,7 @@ std::vector<Pull> Correspondences::find(const TriangleMesh& skin, const Correspo
         reverse_hints_[i] = place.triangle;
         if (place.on_border) continue;
         const auto corners = skin.triangles.row(place.triangle);
+        if (!masked.empty() && masked[corners[0]] && masked[corners[1]] && masked[corners[2]]) continue;
         pulls.push_back({{corners[0], corners[1], corners[2]}, corner_weights(skin, place.triangle, place.point), places_.row(i), weight});
     }
     return pulls;

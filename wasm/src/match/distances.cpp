@@ -39,8 +39,16 @@ OneWay one_way(const TriangleMesh& from, const TriangleMesh& to, int count) {
 
 } // namespace
 
-SurfaceDistances surface_distances(const TriangleMesh& first, const TriangleMesh& second, int samples) {
-    const OneWay there = one_way(first, second, samples), back = one_way(second, first, samples);
+TriangleMesh without_triangles(const TriangleMesh& mesh, const std::vector<char>& out) {
+    TriangleMesh part{mesh.points, Triangles(std::count(out.begin(), out.end(), 0), 3)};
+    for (int t = 0, row = 0; t < mesh.triangle_count(); ++t)
+        if (!out[t]) part.triangles.row(row++) = mesh.triangles.row(t);
+    return part;
+}
+
+SurfaceDistances surface_distances(const TriangleMesh& first, const TriangleMesh& second, int samples, const std::vector<char>& first_out, const std::vector<char>& second_out) {
+    const auto measured = [&](const TriangleMesh& from, const std::vector<char>& out, const TriangleMesh& to) { return out.empty() ? one_way(from, to, samples) : one_way(without_triangles(from, out), to, samples); };
+    const OneWay there = measured(first, first_out, second), back = measured(second, second_out, first);
     return {there.mean, back.mean, std::max(there.most, back.most)};
 }
 

@@ -20,15 +20,6 @@ Points triangle_normals(const TriangleMesh& mesh) {
     return normals;
 }
 
-Vector3d corner_weights(const TriangleMesh& mesh, int triangle, const Vector3d& place) {
-    const auto corner = [&](int k) -> Vector3d { return mesh.points.row(mesh.triangles(triangle, k)); };
-    const Vector3d a = corner(0), ab = corner(1) - a, ac = corner(2) - a, normal = ab.cross(ac);
-    const double squared = normal.squaredNorm();
-    if (!(squared > 0)) return {1, 0, 0};
-    const double b = std::clamp((place - a).cross(ac).dot(normal) / squared, 0.0, 1.0), c = std::clamp(ab.cross(place - a).dot(normal) / squared, 0.0, 1 - b);
-    return {1 - b - c, b, c};
-}
-
 namespace {
 
 /// Sides of edges of one triangle.
@@ -70,6 +61,7 @@ FitSurface::Place FitSurface::nearest(const Vector3d& p, const Vector3d& normal,
     const auto found = tree_.nearest_where(p, reach, hint, [&](int t) { return !facing || normals_.row(t).dot(normal) > least_cosine; });
     Place place{found.triangle, found.point, found.distance};
     if (found.triangle < 0) return place;
+    place.ignored = ignores(found.triangle);
     if (rules_.facing) {
         const Vector3d weights = corner_weights(mesh_, found.triangle, found.point);
         RowVector3d blend = RowVector3d::Zero();
@@ -85,7 +77,19 @@ FitSurface::Place FitSurface::nearest(const Vector3d& p, const Vector3d& normal,
 
 FitSurface::Place FitSurface::nearest_on_border(const Vector3d& p, double reach) const {
     const auto found = border_tree_.nearest_where(p, reach, -1, [](int) { return true; });
-    return {found.triangle, found.point, found.distance, 1, true};
+    Place place{found.triangle, found.point, found.distance, 1, true};
+    if (found.triangle >= 0 && !ignored_.empty()) place.ignored = ignored_[border_.triangles(found.triangle, 0)] && ignored_[border_.triangles(found.triangle, 1)];
+    return place;
+}
+
+void FitSurface::ignore(std::vector<char> vertices) {
+    ignored_ = std::move(vertices);
+}
+
+bool FitSurface::ignores(int triangle) const {
+    if (ignored_.empty()) return false;
+    const auto corners = mesh_.triangles.row(triangle);
+    return ignored_[corners[0]] && ignored_[corners[1]] && ignored_[corners[2]];
 }
 
 } // namespace lissom

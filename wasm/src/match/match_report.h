@@ -7,7 +7,8 @@
 namespace lissom {
 
 /// What a skin is worth on its model, both at unit size; what the session alone knows is left out.
-[[nodiscard]] SkinReport skin_report(const TriangleMesh& skin, const PlacedModel& model);
+/// @param masked  one flag per vertex of the skin, or none: fitted to nothing. @param whole  what the model ignores counts all the same
+[[nodiscard]] SkinReport skin_report(const TriangleMesh& skin, const PlacedModel& model, const std::vector<char>& masked, bool whole);
 
 /// Largest distance of a marker's vertex from its place, a share of the diagonal. @param markers  at unit size
 [[nodiscard]] double marker_error(const SkinSet& skins, int skin, const Points& markers, const PlacedModel& model);

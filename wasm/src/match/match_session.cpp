@@ -3,6 +3,7 @@
 #include "lissom/match/correspondences.h"
 #include "lissom/match/fine_fit.h"
 #include "lissom/match/folds.h"
+#include "lissom/match/marker_curves.h"
 #include "lissom/match/skin_carrier.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
@@ -12,6 +13,7 @@
 #include "easing.h"
 #include "match_report.h"
 #include "placed_model.h"
+#include "sharp_finish.h"
 
 #include <algorithm>
 #include <deque>
@@ -32,6 +34,8 @@ constexpr double k_anywhere = std::numeric_limits<double>::infinity();
 /// bodies of different poses, where it halves the error; 0.6 and more on heads and bodies of one pose, where it doubles it.
 constexpr double k_bends_better = 1.0 / 3;
 
+constexpr double k_marker_pull = 30; // vertices, while carried
+constexpr double k_curve_pull = 10, k_fine_curve_pull = 5; // a place of a curve: drawn by hand, it is not exact
 constexpr double k_fine_first = 20, k_fine_last = 0.3;
 constexpr double k_fine_reach = 0.03, k_fine_cosine = 0.4;
 constexpr int k_before_connectivity = 2, k_after_connectivity = 3; // fine steps without
@@ -39,6 +43,8 @@ constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
+constexpr double k_held_back = 1e-3; // of L: rounding is less
+constexpr double k_snap = 0.5; // of L: a marker so near to a sharp curve is meant to be on it
 constexpr double k_off_surface = 0.01; // of the size: a marker farther from its model is worth a word
 
 void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
@@ -47,7 +53,21 @@ void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
     if (!(o.edge_length >= 0 && o.edge_length < 1)) refuse("The edge length is " + std::to_string(o.edge_length) + " of the source's size; it must be below 1, or 0 for its own.");
     if (o.levels < 1 || o.levels > 4) refuse("The number of levels is " + std::to_string(o.levels) + "; it must be between 1 and 4.");
     if (o.fine_steps < 1 || o.fine_steps > 60) refuse("The number of fine steps is " + std::to_string(o.fine_steps) + "; it must be between 1 and 60.");
+    if (!(o.sharp_angle >= 0 && o.sharp_angle < 180)) refuse("The sharp angle is " + std::to_string(o.sharp_angle) + " degrees; it must be 0 or more and below 180.");
+    if (!(o.adapt >= 0 && o.adapt <= 1)) refuse("How far lengths adapt is " + std::to_string(o.adapt) + "; it must be between 0 and 1.");
     if (o.most_vertices < 0) refuse("The most vertices a skin may have are " + std::to_string(o.most_vertices) + "; give 0 or more.");
+}
+
+void check_curves(const std::vector<MatchModel>& models) {
+    for (const MatchModel& model : models) {
+        if (model.curves.size() != models.front().curves.size())
+            throw InvalidInput("curve-count", "One model has " + std::to_string(models.front().curves.size()) + " marker curves and another " + std::to_string(model.curves.size()) + ". Draw each on all models.");
+        for (std::size_t c = 0; c < model.curves.size(); ++c) {
+            const Points& line = model.curves[c];
+            if (line.rows() < 2 || !line.allFinite() || (line.rowwise() - line.row(0)).isZero(0))
+                throw InvalidInput("bad-curve", "Marker curve " + std::to_string(c + 1) + " has no length, or a coordinate that is not a finite number. Draw it again.");
+        }
+    }
 }
 
 /// What a model is called in a sentence.
@@ -64,25 +84,34 @@ int crossings_of(const TriangleMesh& mesh) {
 /// A model and what is made for its skin while it is fitted.
 struct Fitted {
     PlacedModel placed;
-    Points markers; ///< on the surface, unit size
+    Points markers;              ///< on the surface, unit size
+    std::vector<Points> curves;  ///< unit size
+    Points curve_places{};       ///< of the source's curves, on this surface
     MarkerAlignment alignment{};
     std::unique_ptr<SkinCarrier> carrier{}, bent{}; ///< the second where both starts are tried
     std::optional<Correspondences> correspondences{};
     std::optional<GuardedStep> guard{};
+    SharpFinish sharp;
 
-    Fitted(const MatchModel& model, const std::string& which) : placed(*model.model, which), markers(placed.inwards(model.markers)) {}
+    Fitted(const MatchModel& model, double sharp_angle, const std::string& which)
+        : placed(*model.model, which), markers(placed.inwards(model.markers)), sharp(placed, sharp_angle, model.sharp) {
+        placed.ignore(model.ignored, which);
+        for (const Points& curve : model.curves) curves.push_back(placed.inwards(curve));
+    }
     [[nodiscard]] const FitSurface& surface() const { return placed.surface; }
 };
 
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { start, carry, untangle, fine, edges, relax, project, done };
+    enum class Stage { start, carry, untangle, fine, edges, relax, project, sharp, done };
 
     MatchOptions options;
     std::deque<Fitted> models{}; ///< the source first
 
     SkinSet skins{};
+    std::optional<MarkerCurves> curves{};
+    std::vector<char> masked{}; ///< per vertex of the skins: the source ignores where it is; empty: none
     std::optional<GraphLevels> graphs{};
     std::optional<FineFit> fine{}; ///< of all skins, for it knows the triangles alone
     ConnectivityOptions edges{};
@@ -97,7 +126,9 @@ struct MatchSession::State {
     MatchSeconds seconds{};
 
     State(const std::vector<MatchModel>& given, const MatchOptions& o) : options(o), refused(given.size(), 0) {
-        for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], name_of(k, given.size()));
+        for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], o.sharp_angle, name_of(k, given.size()));
+        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(source().placed.mesh());
+        edges.adapt = options.adapt;
     }
 
     [[nodiscard]] int count() const { return static_cast<int>(models.size()); }
@@ -110,7 +141,7 @@ struct MatchSession::State {
         MatchWarning off{"markers-moved", k, 0, {}};
         for (Eigen::Index i = 0; i < on.markers.rows(); ++i) {
             const auto place = on.surface().nearest(on.markers.row(i), Vector3d::Zero(), -1, k_anywhere);
-            on.markers.row(i) = place.point.transpose();
+            on.markers.row(i) = (on.sharp.empty() ? place.point : on.sharp.snapped(place.point, k_snap * edges.edge_length)).transpose();
             if (!(place.distance > k_off_surface)) continue;
             ++off.count;
             if (off.examples.size() < 8) off.examples.push_back(static_cast<int>(i));
@@ -151,7 +182,17 @@ struct MatchSession::State {
             skins.marker[nearest] = static_cast<int>(i);
             first.row(nearest) = source().markers.row(i);
         }
+        edges.most_vertices = options.most_vertices > 0 ? options.most_vertices : 4 * skins.vertex_count();
+        curves.emplace(source().curves, source().surface(), edges.edge_length);
+        for (Fitted& each : models) each.curve_places = curves->on(each.curves, each.surface());
+        find_masked();
         const CarrySchedule schedule = carry_schedule(static_cast<int>(source().markers.rows()));
+        if (!source().sharp.empty()) {
+            std::vector<int> fixed;
+            for (int v = 0; v < skins.vertex_count(); ++v)
+                if (skins.marker[v] >= 0) fixed.push_back(v);
+            skins.curves.emplace(skins.vertex_count(), source().sharp.curves(), fixed, EdgeCurves::Along::edited);
+        }
         graphs.emplace(skins.mesh(0), schedule.radius, options.levels, options.seed);
         for (int k = 1; k < count(); ++k) {
             Fitted& target = models[static_cast<std::size_t>(k)];
@@ -159,7 +200,7 @@ struct MatchSession::State {
                 const Points points = start(first);
                 if (!points.allFinite()) throw SolverFailure("The markers bend the source beyond all numbers. Start by a similarity.");
                 carries += schedule.iterations;
-                return std::make_unique<SkinCarrier>(points, skins.triangles, skins.marker, *graphs, target.surface(), target.markers, schedule, options.seed);
+                return std::make_unique<SkinCarrier>(points, skins.triangles, *graphs, target.surface(), CarryGuides{guides(target), told(), masked}, schedule, options.seed);
             };
             carries += (options.levels - 1) * schedule.iterations;
             if (options.start == MatchStart::automatic && target.alignment.radial) {
@@ -170,13 +211,41 @@ struct MatchSession::State {
             } else target.carrier = carrier(target.alignment);
             skins.points[static_cast<std::size_t>(k)] = target.carrier->points();
         }
-        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(mesh);
-        edges.most_vertices = options.most_vertices > 0 ? options.most_vertices : 4 * skins.vertex_count();
+    }
+
+    /// What comes from where the source is ignored. Asked anew when edges have changed.
+    void find_masked() {
+        if (!source().surface().ignores_some()) return;
+        masked.assign(static_cast<std::size_t>(skins.vertex_count()), 0);
+        for (int v = 0; v < skins.vertex_count(); ++v) masked[v] = source().surface().nearest(skins.points.front().row(v), Vector3d::Zero(), -1, k_anywhere).ignored;
+    }
+
+    /// Where markers and curves belong on a target, as its skin is carried.
+    [[nodiscard]] std::vector<Pull> guides(const Fitted& target) const {
+        std::vector<Pull> pulls = curves->pulls(skins.mesh(0), target.curve_places);
+        for (Pull& pull : pulls) pull.weight = k_curve_pull;
+        for (int v = 0; v < skins.vertex_count(); ++v)
+            if (skins.marker[v] >= 0) pulls.push_back(Pull::of_vertex(v, target.markers.row(skins.marker[v]).transpose(), k_marker_pull));
+        return pulls;
+    }
+
+    /// Vertices that nothing is asked about: they are told where to go, or left to those around them.
+    [[nodiscard]] std::vector<char> told() const {
+        std::vector<char> flags = locked();
+        for (std::size_t v = 0; v < masked.size(); ++v) flags[v] = flags[v] || masked[v];
+        return flags;
     }
 
     [[nodiscard]] std::vector<char> locked() const {
         std::vector<char> flags;
         for (const int marker : skins.marker) flags.push_back(marker >= 0);
+        return flags;
+    }
+    /// On the source's skin its sharp curves stay where they are, too.
+    [[nodiscard]] std::vector<char> locked_on_source() const {
+        std::vector<char> flags = locked();
+        if (skins.curves)
+            for (int v = 0; v < skins.vertex_count(); ++v) flags[v] = flags[v] || skins.curves->tied(v);
         return flags;
     }
 
@@ -216,9 +285,10 @@ struct MatchSession::State {
         present_points() = at.carrier->points();
     }
 
-    void mend(Points& points, int rounds) {
+    void mend(int k, int rounds) {
+        Points& points = skins.points[static_cast<std::size_t>(k)];
         TriangleMesh mesh{std::move(points), skins.triangles};
-        (void)untangle(mesh, locked(), rounds);
+        (void)untangle(mesh, k == 0 ? locked_on_source() : locked(), rounds);
         points = std::move(mesh.points);
     }
 
@@ -241,7 +311,11 @@ struct MatchSession::State {
         if (!fine) fine.emplace(skins.mesh(1));
         if (!present().correspondences) present().correspondences.emplace(present().surface(), SurfaceSamples{}, present().surface().has_facing());
         const CorrespondenceRules rules{k_fine_cosine, k_fine_reach, 0};
-        const auto pulls = present().correspondences->find(skins.mesh(model), rules, locked());
+        std::vector<Pull> pulls = present().correspondences->find(skins.mesh(model), rules, told());
+        for (Pull pull : curves->pulls(skins.mesh(0), present().curve_places)) {
+            pull.weight = k_fine_curve_pull;
+            pulls.push_back(pull);
+        }
         std::vector<FineFit::Held> held;
         for (int v = 0; v < skins.vertex_count(); ++v)
             if (skins.marker[v] >= 0) held.push_back({v, present().markers.row(skins.marker[v]).transpose()});
@@ -264,7 +338,8 @@ struct MatchSession::State {
         settled = change.sum() <= k_settled * 3 * skins.vertex_count();
         full = full || skins.vertex_count() >= edges.most_vertices;
         // Edits may have made a few triangles meet. More than a few rounds would smooth away what is meant to be thin.
-        for (Points& points : skins.points) mend(points, k_mending_rounds);
+        for (int k = 0; k < count(); ++k) mend(k, k_mending_rounds);
+        find_masked();
         fine.reset();
         for (Fitted& each : models) each.guard.reset();
         stage = Stage::relax;
@@ -277,29 +352,46 @@ struct MatchSession::State {
             if (!next_model()) model = 0;
             return;
         }
-        take_source_step(on_surface(source().surface(), {relaxed_tangentially(skins, 0), skins.triangles}, k_back_cosine));
+        take_source_step(on_source({relaxed_tangentially(skins, 0), skins.triangles}, k_back_cosine));
         end_fine_step();
     }
 
-    /// Each vertex at its nearest place of the surface that faces as it does; markers stay.
-    [[nodiscard]] Points on_surface(const FitSurface& surface, const TriangleMesh& skin, double least_cosine) const {
+    /// Each vertex at its nearest place of the surface that faces as it does; what is `kept` stays.
+    [[nodiscard]] static Points on_surface(const FitSurface& surface, const TriangleMesh& skin, double least_cosine, const std::vector<char>& kept, bool everywhere = false) {
         Points places = skin.points;
         const Points normals = vertex_normals(skin);
         const std::vector<bool> border = surface.has_border() ? boundary_vertices(skin) : std::vector<bool>(places.rows(), false);
         for (int v = 0; v < skin.vertex_count(); ++v) {
-            if (skins.marker[v] >= 0) continue;
+            if (kept[v]) continue;
             const Vector3d p = skin.points.row(v);
             const auto place = border[v] ? surface.nearest_on_border(p, k_fine_reach) : surface.nearest(p, normals.row(v), least_cosine, k_fine_reach);
-            if (place.triangle >= 0 && (border[v] || !place.on_border)) places.row(v) = place.point.transpose();
+            if (place.triangle >= 0 && (border[v] || !place.on_border) && (everywhere || !place.ignored)) places.row(v) = place.point.transpose();
         }
         return places;
     }
 
+    /// The source's skin began on its model, and stays there even where that is masked.
+    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) { return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true); }
+
     void project() {
-        take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine));
+        take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
         if (next_model()) return;
-        if (iteration == 0 && changes.any()) take_source_step(on_surface(source().surface(), skins.mesh(0), k_projection_cosine));
-        if (++iteration == k_projections) next(Stage::done);
+        if (iteration == 0 && changes.any()) take_source_step(on_source(skins.mesh(0), k_projection_cosine));
+        if (++iteration < k_projections) return;
+        next(has_sharp() ? Stage::sharp : Stage::done);
+        model = 0;
+    }
+
+    [[nodiscard]] bool has_sharp() const {
+        return std::any_of(models.begin(), models.end(), [](const Fitted& each) { return !each.sharp.empty(); });
+    }
+
+    void track_sharp() {
+        Points& points = present_points();
+        TriangleMesh mesh{std::move(points), skins.triangles};
+        const bool more = present().sharp.step(mesh, present().surface(), skins.marker, edges.edge_length);
+        points = std::move(mesh.points);
+        if (!more && ++model == count()) next(Stage::done);
     }
 
     void advance() {
@@ -315,7 +407,7 @@ struct MatchSession::State {
             seconds.carry += watch.lap();
             break;
         case Stage::untangle:
-            mend(present_points(), k_untangling_rounds);
+            mend(model, k_untangling_rounds);
             if (!next_model()) next(Stage::fine);
             seconds.fine += watch.lap();
             break;
@@ -335,6 +427,10 @@ struct MatchSession::State {
             project();
             seconds.fine += watch.lap();
             break;
+        case Stage::sharp:
+            track_sharp();
+            seconds.sharp += watch.lap();
+            break;
         case Stage::done: break;
         }
     }
@@ -353,10 +449,20 @@ struct MatchSession::State {
         warn("stopped-early", -1, stage != Stage::done);
         for (int k = 0; k < count(); ++k) {
             const Fitted& on = models[static_cast<std::size_t>(k)];
-            found.skins.push_back(skin_report(skins.mesh(k), on.placed));
+            found.skins.push_back(skin_report(skins.mesh(k), on.placed, k > 0 ? masked : std::vector<char>{}, k == 0));
             found.marker_error = std::max(found.marker_error, marker_error(skins, k, on.markers, on.placed));
             if (k > 0) found.flatness = std::min(found.flatness, found.skins.back().flatness = on.alignment.flatness);
             found.skins.back().bent = on.alignment.radial.has_value();
+            SkinReport& skin = found.skins.back();
+            if (stage == Stage::done && !on.sharp.empty()) {
+                const Points& points = skins.points[static_cast<std::size_t>(k)];
+                skin.sharp_curves = on.sharp.lines();
+                skin.sharp_failed = on.sharp.failed();
+                skin.sharp_error = on.placed.size.size * on.sharp.error(points);
+                for (const SharpPath& path : on.sharp.paths()) skin.sharp.push_back(path.curve.vertices);
+                warn("sharp-failed", k, skin.sharp_failed);
+                warn("sharp-held-back", k, on.sharp.farthest(points) > k_held_back * edges.edge_length);
+            }
             warn("crossings-left", k, k > 0 ? found.skins.back().crossings : 0);
             warn("step-refused", k, refused[static_cast<std::size_t>(k)]);
         }
@@ -371,6 +477,7 @@ struct MatchSession::State {
 MatchSession::MatchSession(const std::vector<MatchModel>& models, const MatchOptions& options) {
     Stopwatch watch;
     check(models, options);
+    check_curves(models);
     state_ = std::make_unique<State>(models, options);
     state_->align();
     state_->seconds.start = watch.lap();
@@ -386,7 +493,8 @@ bool MatchSession::step() {
 double MatchSession::fraction() const {
     const State& s = *state_;
     // Shares of the time as measured; of a fine step where edges change as much goes into those.
-    constexpr double carried = 0.35, fitted = 0.95, of_fit = 0.5;
+    constexpr double carried = 0.35, of_fit = 0.5;
+    const double projected = s.has_sharp() ? 0.8 : 1, fitted = projected - 0.05;
     const auto fine_step = [&](double part) { return carried + (fitted - carried) * (s.iteration + part) / s.options.fine_steps; };
     switch (s.stage) {
     case State::Stage::start: return 0;
@@ -395,7 +503,8 @@ double MatchSession::fraction() const {
     case State::Stage::fine: return fine_step(of_fit * s.part_of_models());
     case State::Stage::edges: return fine_step(of_fit);
     case State::Stage::relax: return fine_step(of_fit + (1 - of_fit) * (s.model > 0 ? 0.5 + 0.4 * s.part_of_models() : 0.9));
-    case State::Stage::project: return fitted + (1 - fitted) * (s.iteration + s.part_of_models()) / k_projections;
+    case State::Stage::project: return fitted + (projected - fitted) * (s.iteration + s.part_of_models()) / k_projections;
+    case State::Stage::sharp: return projected + (1 - projected) * (s.model + s.models[static_cast<std::size_t>(s.model)].sharp.fraction()) / s.count();
     case State::Stage::done: break;
     }
     return 1;

@@ -38,6 +38,19 @@ SurfaceSize size_of(const WorkingMesh& model, const std::string& which) {
 PlacedModel::PlacedModel(const WorkingMesh& model, const std::string& which)
     : working(model), size(size_of(model, which)), surface(at_unit_size(model, size), {!is_soup(model.mesh), model.oriented}) {}
 
+void PlacedModel::ignore(const std::vector<int>& source_vertices, const std::string& which) {
+    if (source_vertices.empty()) return;
+    std::vector<char> flags(static_cast<std::size_t>(mesh().vertex_count()), 0);
+    for (const int v : source_vertices) {
+        if (v < 0 || v >= std::ssize(working.working_of_source)) throw InvalidInput("bad-mask", "The mask of the " + which + " has vertex " + std::to_string(v) + ", which is not there. Paint the mask again.");
+        if (const int at = working.working_of_source[v]; at >= 0) flags[at] = 1;
+    }
+    surface.ignore(std::move(flags));
+    for (int t = 0; t < mesh().triangle_count(); ++t)
+        if (!surface.ignores(t)) return;
+    throw InvalidInput("bad-mask", "The mask of the " + which + " covers all of it. Leave some of it free.");
+}
+
 Points PlacedModel::inwards(const Points& places) const {
     Points inside(places.rows(), 3);
     for (Eigen::Index i = 0; i < places.rows(); ++i) inside.row(i) = (working.to_working(Vector3d(places.row(i))).transpose() - size.middle) / size.size;

@@ -15,6 +15,9 @@ struct PlacedModel {
     /// @throws InvalidInput `flat-model`. @param which  one it is, for who is told
     PlacedModel(const WorkingMesh& model, const std::string& which);
 
+    /// Leaves source vertices out of the surface. @throws InvalidInput `bad-mask`
+    void ignore(const std::vector<int>& source_vertices, const std::string& which);
+
     [[nodiscard]] const TriangleMesh& mesh() const { return surface.mesh(); }
     [[nodiscard]] Points inwards(const Points& places) const;
     [[nodiscard]] Points outwards(const Points& places) const;

@@ -28,6 +28,8 @@ constexpr int k_loop_pieces = 4;
 constexpr double k_shortest_piece = 3; // of L
 constexpr int k_candidates = 12;       // vertices that a corner may have
 constexpr double k_corner_reach = 2.5; // of L
+/// Cosine of the turn from which a line has a kink (10 degrees): some vertex of the path goes there. Less than a corner, and more than most circles turn from point to point.
+constexpr double k_kink = 0.985;
 
 /// A line by its length.
 class Measured {
@@ -58,6 +60,22 @@ public:
         for (int round = 0; round <= (closed_ ? 1 : 0); ++round)
             for (std::size_t i = 0; i + (closed_ ? 1 : 0) < at_.size(); ++i)
                 if (const double s = at_[i] + round * turn; s > from && s < to) found.push_back(s);
+        return found;
+    }
+
+    /// Where between two lengths the line has kinks: cosine of the turn, length; sharpest first.
+    [[nodiscard]] std::vector<std::pair<double, double>> kinks(double from, double to) const {
+        std::vector<std::pair<double, double>> found;
+        const auto n = std::ssize(at_);
+        for (int round = 0; round <= (closed_ ? 1 : 0); ++round)
+            for (std::ptrdiff_t i = closed_ ? 0 : 1; i + 1 < n; ++i) {
+                const double s = at_[static_cast<std::size_t>(i)] + (round ? length() : 0);
+                if (s <= from || s >= to) continue;
+                const RowVector3d in = points_.row(i) - points_.row(i > 0 ? i - 1 : n - 2), out = points_.row(i + 1) - points_.row(i);
+                const double lengths = in.norm() * out.norm();
+                if (const double cosine = lengths > 0 ? in.dot(out) / lengths : 1; cosine < k_kink) found.emplace_back(cosine, s);
+            }
+        std::sort(found.begin(), found.end());
         return found;
     }
 
@@ -117,6 +135,28 @@ void make_rising(std::vector<double>& values) {
         for (int k = 0; k < count; ++k) values[i++] = mean;
 }
 
+/// Lengths along a line that rise, so changed that each kink has one, the sharpest first; those between go along.
+void put_on_kinks(std::vector<double>& at, const Measured& line) {
+    const std::vector<double> before = at;
+    std::map<std::size_t, double> fixed{{0, at.front()}, {at.size() - 1, at.back()}};
+    for (const auto& [cosine, s] : line.kinks(at.front(), at.back())) {
+        auto high = fixed.begin(); // the first beyond the kink
+        while (high->second <= s) ++high;
+        const std::size_t first = std::prev(high)->first + 1, last = high->first; // those that may go there
+        std::size_t best = last;
+        for (std::size_t i = first; i < last; ++i)
+            if (best == last || std::abs(before[i] - s) < std::abs(before[best] - s)) best = i;
+        if (best < last && std::prev(high)->second < s) fixed[best] = s;
+    }
+    for (auto low = fixed.begin(), high = std::next(low); high != fixed.end(); ++low, ++high) {
+        const double from = before[low->first], width = before[high->first] - from;
+        for (std::size_t i = low->first; i <= high->first; ++i) {
+            const double part = width > 0 ? (before[i] - from) / width : static_cast<double>(i - low->first) / static_cast<double>(high->first - low->first);
+            at[i] = i == low->first ? low->second : i == high->first ? high->second : low->second + part * (high->second - low->second);
+        }
+    }
+}
+
 Points places_on(const Points& skin, const std::vector<int>& path, const Measured& line, double from, double to) {
     const Piece piece(line, from, to);
     const auto n = path.size();
@@ -129,11 +169,14 @@ Points places_on(const Points& skin, const std::vector<int>& path, const Measure
     nearest.front() = from;
     nearest.back() = to;
     make_rising(nearest);
-    Points places(std::ssize(path), 3);
+    std::vector<double> at(n);
     for (std::size_t i = 0; i < n; ++i) {
         const double even = from + (to - from) * (whole > 0 ? spread[i] / whole : static_cast<double>(i) / static_cast<double>(n - 1));
-        places.row(static_cast<Eigen::Index>(i)) = line.place(i == 0 ? from : i + 1 == n ? to : (nearest[i] + even) / 2);
+        at[i] = i == 0 ? from : i + 1 == n ? to : (nearest[i] + even) / 2;
     }
+    put_on_kinks(at, line);
+    Points places(std::ssize(path), 3);
+    for (std::size_t i = 0; i < n; ++i) places.row(static_cast<Eigen::Index>(i)) = line.place(at[i]);
     return places;
 }
 

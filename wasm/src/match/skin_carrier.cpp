@@ -16,7 +16,6 @@ namespace {
 constexpr CarrySchedule k_marked{0.12, 12, 0.15, 0.06, 0.3}, k_unmarked{0.2, 8, 0.4, 0.1, 0};
 constexpr int k_fewest_markers = 3; // to turn by
 constexpr double k_first_stiffness = 5, k_next_stiffness = 0.3, k_last_stiffness = 0.02;
-constexpr double k_marker_pull = 30; // vertices
 constexpr int k_most_asked = 6000; // vertices, and samples, that the finest graph is carried by; each coarser one by half as many
 constexpr int k_most_nodes = 3000;
 
@@ -34,9 +33,8 @@ const NodeGraph& GraphLevels::operator[](int level) {
     return graphs_[static_cast<std::size_t>(level)];
 }
 
-SkinCarrier::SkinCarrier(Points rest, const Triangles& triangles, const std::vector<int>& marker, GraphLevels& graphs, const FitSurface& surface, Points markers,
-                         const CarrySchedule& schedule, std::uint64_t seed)
-    : rest_(std::move(rest)), points_(rest_), triangles_(triangles), marker_(marker), graphs_(graphs), surface_(surface), markers_(std::move(markers)), schedule_(schedule), seed_(seed) {}
+SkinCarrier::SkinCarrier(Points rest, const Triangles& triangles, GraphLevels& graphs, const FitSurface& surface, CarryGuides guides, const CarrySchedule& schedule, std::uint64_t seed)
+    : rest_(std::move(rest)), points_(rest_), triangles_(triangles), graphs_(graphs), surface_(surface), guides_(std::move(guides)), schedule_(schedule), seed_(seed) {}
 
 void SkinCarrier::begin_level(int level) {
     asked_ = std::min(k_most_asked, 2 * static_cast<int>(points_.rows())) >> (graphs_.count() - 1 - level);
@@ -52,11 +50,13 @@ bool SkinCarrier::step() {
     const CorrespondenceRules rules{schedule_.least_cosine, eased(schedule_.first_reach, schedule_.last_reach, along(iteration_, steps()))};
     // A node has enough of some vertices.
     const double share = std::min(1.0, static_cast<double>(asked_) / n);
-    std::vector<char> left_out(static_cast<std::size_t>(n));
-    for (int v = 0; v < n; ++v) left_out[v] = marker_[v] >= 0 || chance(seed_, static_cast<std::uint64_t>(v), 1) >= share;
-    std::vector<Pull> pulls = correspondences_->find({points_, triangles_}, rules, left_out);
-    for (int v = 0; v < n; ++v)
-        if (marker_[v] >= 0) pulls.push_back(Pull::of_vertex(v, markers_.row(marker_[v]).transpose(), share * k_marker_pull));
+    std::vector<char> left_out = guides_.left_out;
+    for (int v = 0; v < n; ++v) left_out[v] = left_out[v] || chance(seed_, static_cast<std::uint64_t>(v), 1) >= share;
+    std::vector<Pull> pulls = correspondences_->find({points_, triangles_}, rules, left_out, guides_.masked);
+    for (Pull pull : guides_.pulls) {
+        pull.weight *= share;
+        pulls.push_back(pull);
+    }
     if (!pulls.empty()) {
         points_ = affine_->solve(pulls, eased(level == 0 ? k_first_stiffness : k_next_stiffness, k_last_stiffness, along(k, schedule_.iterations)));
         energy_ = affine_->energy();

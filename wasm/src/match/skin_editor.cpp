@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 namespace lissom {
 
@@ -28,8 +29,8 @@ double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 
 } // namespace
 
-SkinEditor::SkinEditor(const SkinSet& skins, double longest)
-    : longest_(longest), marker_(skins.marker), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
+SkinEditor::SkinEditor(const SkinSet& skins, std::vector<double> lengths, double longest)
+    : lengths_(std::move(lengths)), longest_(longest), marker_(skins.marker), curves_(skins.curves), around_(static_cast<std::size_t>(skins.vertex_count())), vertices_(skins.vertex_count()) {
     for (const Points& points : skins.points) {
         Places& places = points_.emplace_back();
         for (int v = 0; v < skins.vertex_count(); ++v) places.push_back(points.row(v));
@@ -104,8 +105,11 @@ Vector3d SkinEditor::normal(const Corners& corners, const Places& p) {
 bool SkinEditor::split(int a, int b) {
     const Sides at = sides(a, b);
     if (!at.sound || (at.left < 0 && at.right < 0)) return false;
+    if (curves_ && !curves_->may_split(a, b)) return false;
     const int middle = static_cast<int>(around_.size());
+    if (curves_) curves_->split(a, b, middle);
     for (Places& p : points_) p.push_back(((p[a] + p[b]) / 2).eval());
+    lengths_.push_back((lengths_[a] + lengths_[b]) / 2);
     marker_.push_back(-1);
     around_.emplace_back();
     ++vertices_;
@@ -127,8 +131,9 @@ bool SkinEditor::harms(int v, int other, const Vector3d& place, const Places& p)
         const Corners& c = triangles_[t];
         if (std::find(c.begin(), c.end(), other) != c.end()) continue; // goes
         const int k = static_cast<int>(std::find(c.begin(), c.end(), v) - c.begin());
-        const Vector3d &q = p[c[(k + 1) % 3]], &r = p[c[(k + 2) % 3]];
-        if ((q - place).norm() > longest_ || (r - place).norm() > longest_) return true;
+        const int next = c[(k + 1) % 3], last = c[(k + 2) % 3];
+        const Vector3d &q = p[next], &r = p[last];
+        if ((q - place).norm() > longest_ * wanted(v, next) || (r - place).norm() > longest_ * wanted(v, last)) return true;
         const Vector3d before = normal(c, p), after = (q - place).cross(r - place);
         if (!(after.dot(before) > k_collapse_turn * after.norm() * before.norm())) return true;
     }
@@ -148,6 +153,17 @@ bool SkinEditor::collapse(int a, int b) {
     if (marker_[a] >= 0 || marker_[b] >= 0 || border_a != border_b) {
         part = 0;
         if (marker_[b] >= 0 || (marker_[a] < 0 && border_b && !border_a)) std::swap(kept, taken);
+    }
+    if (curves_) {
+        const EdgeCurves::Collapse of_curves = curves_->may_collapse(a, b);
+        if (!of_curves.allowed) return false;
+        if (of_curves.kept >= 0) {
+            const int other = of_curves.kept == a ? b : a;
+            if (marker_[other] >= 0 || (part == 0 && kept == other)) return false; // a border or a marker must stay, too
+            kept = of_curves.kept;
+            taken = other;
+            part = 0;
+        }
     }
     const std::vector<int> ring_a = ring(a), ring_b = ring(b);
     std::vector<int> common;
@@ -169,6 +185,7 @@ bool SkinEditor::collapse(int a, int b) {
         std::replace(corners.begin(), corners.end(), taken, kept);
         replace(t, corners);
     }
+    if (curves_) curves_->collapse(kept, taken);
     --vertices_;
     return true;
 }
@@ -177,7 +194,7 @@ bool SkinEditor::swap_if_better(int a, int b) {
     const Sides at = sides(a, b);
     if (!at.inner()) return false;
     const int p = at.left_corner, q = at.right_corner;
-    if (p == q) return false;
+    if (p == q || (curves_ && !curves_->may_swap(a, b))) return false;
     // Criterion 3: the largest angle has the smallest cosine.
     double before = 1, after = 1;
     for (const Places& x : points_) {
@@ -209,6 +226,8 @@ SkinSet SkinEditor::take() const {
         place[v] = skins.vertex_count();
         skins.marker.push_back(marker_[v]);
     }
+    skins.curves = curves_;
+    if (skins.curves) skins.curves->renumber(place, skins.vertex_count());
     for (const Places& p : points_) {
         Points& points = skins.points.emplace_back(skins.vertex_count(), 3);
         for (std::size_t v = 0; v < around_.size(); ++v)

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -12,12 +13,14 @@ namespace lissom {
 /// Edits of one edge at a time, on all skins at once; each looks whether it may be done.
 class SkinEditor {
 public:
-    /// @param longest  collapses make no edge longer than this
-    SkinEditor(const SkinSet& skins, double longest);
+    /// @param lengths  per vertex how long edges should be there, L; of an edge the mean of its ends'
+    /// @param longest  collapses make no edge longer than so many of that
+    SkinEditor(const SkinSet& skins, std::vector<double> lengths, double longest);
 
     /// Every edge once, ordered.
     [[nodiscard]] std::vector<std::pair<int, int>> edges() const;
-    [[nodiscard]] double length(int a, int b, int skin) const { return (points_[static_cast<std::size_t>(skin)][a] - points_[static_cast<std::size_t>(skin)][b]).norm(); }
+    /// Of an edge's length to L.
+    [[nodiscard]] double ratio(int a, int b, int skin) const { return (points_[static_cast<std::size_t>(skin)][a] - points_[static_cast<std::size_t>(skin)][b]).norm() / wanted(a, b); }
     [[nodiscard]] int vertex_count() const { return vertices_; }
     [[nodiscard]] bool alive(int v) const { return !around_[v].empty(); }
 
@@ -39,6 +42,7 @@ private:
         [[nodiscard]] bool inner() const { return sound && left >= 0 && right >= 0; }
     };
     [[nodiscard]] Sides sides(int a, int b) const;
+    [[nodiscard]] double wanted(int a, int b) const { return (lengths_[a] + lengths_[b]) / 2; }
     [[nodiscard]] bool on_border(int v) const;
     [[nodiscard]] std::vector<int> ring(int v) const; ///< ascending
     [[nodiscard]] static Eigen::Vector3d normal(const Corners& corners, const Places& p); ///< twice the area long
@@ -48,9 +52,11 @@ private:
     void detach(int triangle);
     void attach(int triangle);
 
+    std::vector<double> lengths_;
     double longest_;
     std::vector<Places> points_; ///< of each skin
     std::vector<int> marker_;
+    std::optional<EdgeCurves> curves_;
     std::vector<Corners> triangles_;
     std::vector<char> gone_;               ///< triangles
     std::vector<std::vector<int>> around_; ///< triangles at each vertex

@@ -7,6 +7,7 @@ import * as edit from '../../recipe/edit';
 import type { MatchStep } from '../../recipe/recipe';
 import { type BlendPart, type BlendStep, newBlendStep } from '../../recipe/steps/blend';
 import { partVertices, withoutPart, withPart, withVertices } from '../../tools/blend/edits';
+import { usualFeather } from '../../tools/blend/feather';
 import * as weights from '../../tools/blend/weights';
 import type { PaintVerb } from '../../tools/paint-tool';
 import { t } from '../i18n';
@@ -15,9 +16,6 @@ import { BlendEdits } from './edits';
 import { matchFor } from './matches';
 import { Measuring } from './measuring';
 import type { BlendState } from './state';
-
-/** Share of the model's size that a new part goes over in. */
-const FEATHER = 0.03;
 
 /** One model of the blend, as its row shows it. */
 export interface WeightRow {
@@ -177,7 +175,6 @@ export class BlendActions {
       const part: BlendPart = {
         from: this.nextFrom(),
         vertices: fromIndices(vertices, count),
-        feather: this.#feather(),
         how: 'paste',
       };
       const next = { ...step, parts: [...step.parts, part] };
@@ -194,6 +191,27 @@ export class BlendActions {
     if (!step?.parts[index]) return;
     const name = this.partName(index, step.parts[index]);
     this.edits.put(t('history.blend.change-part', { name }), withPart(step, index, change), live);
+  }
+
+  /** How far a part goes over, whether somebody said so or not. Reads signals. */
+  featherOf({ feather, from, vertices }: BlendPart): number {
+    const skins = this.own.skins.value;
+    if (feather !== undefined || !skins) return feather ?? 0;
+    const positions = skins.positions[skins.names.indexOf(from)];
+    const { triangles } = skins.skin.opened;
+    return positions
+      ? usualFeather(positions, triangles, partVertices({ vertices }, positions.length / 3))
+      : 0;
+  }
+
+  /** As suits the part. */
+  resetFeather(index: number): void {
+    const { step } = this.edits;
+    const part = step?.parts[index];
+    if (!step || !part) return;
+    const { feather: _feather, ...rest } = part;
+    const label = t('history.blend.change-part', { name: this.partName(index, part) });
+    this.edits.commit(label, { ...step, parts: step.parts.map((each, i) => (i === index ? rest : each)) });
   }
 
   removePart(index: number): void {
@@ -213,11 +231,6 @@ export class BlendActions {
   /** How far a part may go over, in units of the model. Reads signals. */
   size(): number {
     return diagonalOf(this.own.skins.value?.skin.model.positions);
-  }
-
-  #feather(): number {
-    const size = diagonalOf(this.own.skins.peek()?.skin.model.positions);
-    return Number((FEATHER * size).toPrecision(3));
   }
 
   #put(step: BlendStep, next: weights.Weights, live: boolean): void {

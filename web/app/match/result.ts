@@ -7,6 +7,7 @@ import { outputName, producedNames } from '../../recipe/references';
 import type { ReportOf, StepResult } from '../../run/results';
 import { matchQuality } from '../../run/steps/match';
 import type { Skin } from '../../view/match/types';
+import { type PoorPlace, poorPlaces } from './poor';
 
 /** One skin. Distances are shares of its model's diagonal. */
 export interface SkinQuality {
@@ -15,14 +16,6 @@ export interface SkinQuality {
   readonly folds: number;
   readonly crossings: number;
   readonly flipped: number;
-}
-
-/** Where a skin lies poorly: a good place for another marker. */
-export interface PoorPlace {
-  /** The skins' vertex. */
-  readonly vertex: number;
-  readonly model: number;
-  readonly distance: number;
 }
 
 export interface Matching {
@@ -42,10 +35,6 @@ export interface Matching {
   readonly warnings: readonly Finding[];
 }
 
-/** Places that are worth a marker are told as long as they lie further off than this share of the diagonal. */
-const WORTH = 0.004;
-const MOST_POOR = 5;
-
 export function matchingOf(of: MatchStep, result: StepResult): Matching | null {
   const report = result.report as ReportOf<'match'>;
   const known = matchQuality(result.model);
@@ -55,11 +44,12 @@ export function matchingOf(of: MatchStep, result: StepResult): Matching | null {
   const models = names.map((name) => left[name]!);
   const { faceVertices: triangles } = result.model;
   const residuals = names.map((name) => known.residuals[name]!);
+  const skins = models.map(({ positions }) => ({ triangles, positions }));
   return {
     of,
     triangles,
     models,
-    skins: models.map(({ positions }) => ({ triangles, positions })),
+    skins,
     quality: names.map((name) => ({
       mean: Math.max(report.distance[name]!.mean, report.distance[name]!.back),
       p99: report.distance[name]!.p99,
@@ -68,17 +58,11 @@ export function matchingOf(of: MatchStep, result: StepResult): Matching | null {
       flipped: report.flipped[name]!,
     })),
     residuals,
-    poor: names
-      .flatMap((name, model) =>
-        [...known.poorest[name]!].map((vertex) => ({
-          vertex,
-          model,
-          distance: residuals[model]![vertex]!,
-        })),
-      )
-      .filter(({ distance }) => distance > WORTH)
-      .sort((a, b) => b.distance - a.distance)
-      .slice(0, MOST_POOR),
+    poor: poorPlaces(
+      result.inputs.map(({ model }) => model.positions),
+      skins,
+      residuals,
+    ),
     markerError: report.markerError,
     seconds: Object.values(report.seconds).reduce((sum, each) => sum + each, 0),
     warnings: report.warnings,

@@ -14,8 +14,8 @@ export interface PartSpec {
   /** Number of the skin. */
   readonly from: number;
   readonly vertices: Uint32Array;
-  /** How far around it the skin goes over, in units of that skin. */
-  readonly feather: number;
+  /** How far around it the skin goes over, in units of that skin; as suits the part when left out. */
+  readonly feather?: number | undefined;
   readonly how: 'paste' | 'low-pass';
 }
 

@@ -29,8 +29,8 @@ const part = v.strictObject({
   from: memberName,
   /** Of the skins. */
   vertices: vertexSet,
-  /** How far around the part the skin goes over from one shape to the other, in units of `from`. */
-  feather: v.optional(between(0, MAX_COORDINATE), 0),
+  /** How far around the part the skin goes over from one shape to the other, in units of `from`; as suits the part when left out. */
+  feather: v.optional(between(0, MAX_COORDINATE)),
   /** `paste`: all of it, turned and scaled to fit. `low-pass`: what stands out of it, as the paper has it. */
   how: v.optional(v.picklist(['paste', 'low-pass']), 'paste'),
 });

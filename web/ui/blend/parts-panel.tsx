@@ -2,6 +2,7 @@ import { shortName } from '../../app/blend/matches';
 import { PART_TINTS } from '../../app/blend/view-sync';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
+import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { SelectField, SliderField } from '../controls/fields';
 import { ItemRow } from '../controls/item-row';
@@ -49,7 +50,9 @@ export function PartsPanel() {
 
 function Selected({ index }: { index: number }) {
   const { state: own, actions: blend } = useBlend();
-  const { from, feather, how } = own.step.value!.parts[index]!;
+  const part = own.step.value!.parts[index]!;
+  const { from, how } = part;
+  const feather = blend.featherOf(part);
   const widest = Math.max(WIDEST * blend.size(), feather);
   return (
     <>
@@ -60,7 +63,7 @@ function Selected({ index }: { index: number }) {
         onChange={(name) => blend.changePart(index, { from: name })}
       />
       <SliderField
-        label={t('ui.blend.part.feather')}
+        label={t(part.feather === undefined ? 'ui.blend.part.feather.usual' : 'ui.blend.part.feather')}
         value={feather}
         min={0}
         max={widest}
@@ -68,6 +71,15 @@ function Selected({ index }: { index: number }) {
         onChange={(width) => blend.changePart(index, { feather: width }, true)}
         onCommit={() => blend.edits.finish()}
       />
+      {part.feather !== undefined && (
+        <div class="buttons">
+          <Button
+            icon="rotate-ccw"
+            label={t('ui.blend.part.feather.reset')}
+            onClick={() => blend.resetFeather(index)}
+          />
+        </div>
+      )}
       <SelectField
         label={t('ui.blend.part.how')}
         value={how}

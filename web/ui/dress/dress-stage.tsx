@@ -41,10 +41,8 @@ function Labels() {
   const { state: own } = useDress();
   const name = own.step.value?.to;
   const problem = own.problem.value;
-  const inside = own.figures.value?.after ?? 0;
   const told = [
     ...(problem ? [problem] : []),
-    ...(inside > 0 ? [t('ui.dress.inside', { count: inside })] : []),
     ...state.warnings.value.map(({ code, count }) => tCode('finding.', code, 'finding.unknown', { count })),
   ];
   return (

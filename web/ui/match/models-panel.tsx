@@ -1,4 +1,4 @@
-import { t } from '../../app/i18n';
+import { formatNumber, t } from '../../app/i18n';
 import { vertexCount } from '../../core/model';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
@@ -38,7 +38,9 @@ function Row({ name, at }: { name: string; at: number }) {
         <span class="match-number">{at + 1}</span>
         <span class="model-name">{name}</span>
         {at === 0 && <span class="muted match-first">{t('ui.match.source')}</span>}
-        <span class="muted count">{model && t('ui.figure.vertices', { count: vertexCount(model) })}</span>
+        <span class="muted count" title={model && t('ui.figure.vertices', { count: vertexCount(model) })}>
+          {model && formatNumber(vertexCount(model))}
+        </span>
       </span>
       {own.step.value && !state.choosing.value && (
         <Menu label={t('ui.match.model.menu', { name })} icon="ellipsis" iconOnly align="end">

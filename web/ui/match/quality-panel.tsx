@@ -1,5 +1,6 @@
 import { t, tCode } from '../../app/i18n';
-import type { Matching, PoorPlace } from '../../app/match/result';
+import type { PoorPlace } from '../../app/match/poor';
+import type { Matching, SkinQuality } from '../../app/match/result';
 import type { Finding } from '../../core/errors';
 import { isWhole } from '../../recipe/steps/match';
 import { useApp } from '../context';
@@ -9,7 +10,7 @@ import { Section } from '../controls/section';
 import { percent } from './percent';
 import { useMatch } from './use-match';
 
-const FIGURES = ['mean', 'p99', 'folds', 'crossings', 'flipped'] as const;
+const COUNTS = ['folds', 'crossings', 'flipped'] as const;
 
 /** How good the skins are, and where another marker would help. */
 export function QualityPanel() {
@@ -41,12 +42,13 @@ function Table({ result: { of, quality } }: { result: Matching }) {
     <table class="match-quality">
       <thead>
         <tr>
-          <td />
-          {FIGURES.map((figure) => (
-            <th key={figure} scope="col" title={t(`ui.match.figure.${figure}.help`)}>
-              {t(`ui.match.figure.${figure}`)}
-            </th>
-          ))}
+          <th scope="col">{t('ui.match.figure.distance')}</th>
+          <th scope="col" title={t('ui.match.figure.mean.help')}>
+            {t('ui.match.figure.mean')}
+          </th>
+          <th scope="col" title={t('ui.match.figure.p99.help')}>
+            {t('ui.match.figure.p99')}
+          </th>
         </tr>
       </thead>
       <tbody>
@@ -54,16 +56,29 @@ function Table({ result: { of, quality } }: { result: Matching }) {
           <tr key={of.models[at]}>
             <th scope="row" title={of.models[at]}>
               {of.models[at]}
+              <Faults quality={each} />
             </th>
-            {FIGURES.map((figure) => (
-              <td key={figure} class={figure === 'flipped' && each[figure] > 0 ? 'bad' : ''}>
-                {figure === 'mean' || figure === 'p99' ? percent(each[figure]) : each[figure]}
-              </td>
-            ))}
+            <td>{percent(each.mean)}</td>
+            <td>{percent(each.p99)}</td>
           </tr>
         ))}
       </tbody>
     </table>
+  );
+}
+
+/** What should not be there, where there is any. */
+function Faults({ quality }: { quality: SkinQuality }) {
+  const found = COUNTS.filter((figure) => quality[figure] > 0);
+  if (found.length === 0) return null;
+  return (
+    <span class="match-faults">
+      {found.map((figure) => (
+        <span key={figure} title={t(`ui.match.figure.${figure}.help`)}>
+          {t(`ui.match.figure.${figure}`, { count: quality[figure] })}
+        </span>
+      ))}
+    </span>
   );
 }
 

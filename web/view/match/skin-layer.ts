@@ -8,6 +8,8 @@ import {
   LineSegments,
   Mesh,
   MeshStandardMaterial,
+  type OrthographicCamera,
+  PerspectiveCamera,
 } from 'three';
 import { heatColour } from '../heat';
 import type { Layer, LayerContext, LayerKind } from '../layer';
@@ -17,7 +19,7 @@ import { ViewSpace } from '../view-space';
 import type { Skin, SkinLook, SkinPort } from './types';
 
 /** Of the veil: the model is seen through it. */
-const VEIL = 0.6;
+const VEIL = 0.5;
 
 /** A skin over its model, or in its place. */
 class SkinLayer implements Layer, SkinPort {
@@ -33,6 +35,10 @@ class SkinLayer implements Layer, SkinPort {
   #drawn: Skin | null = null;
   #space = ViewSpace.identity;
   #model: ModelView | undefined;
+  /** Drawn units, mean. */
+  #edgeLength = 1;
+  #strength = 0.4;
+  #height = 1;
 
   constructor(private readonly context: LayerContext) {
     // Towards the eye by a trifle: the edges lie on the surface, which lies on the model.
@@ -50,9 +56,25 @@ class SkinLayer implements Layer, SkinPort {
   }
 
   setPalette(palette: Palette): void {
-    this.#veil.color = new Color(palette.tints.azure);
+    this.#veil.color = new Color(palette.tints.azure).lerp(new Color(1, 1, 1), 0.15);
     this.#wire.color = new Color(palette.wire);
-    this.#wire.opacity = Math.min(1, 1.15 * palette.wireStrength);
+    this.#strength = Math.min(1, 1.15 * palette.wireStrength);
+  }
+
+  resize(_width: number, height: number): void {
+    this.#height = height;
+  }
+
+  /** Lines closer than a few pixels would only darken the skin: they fade instead. */
+  prepare(camera: PerspectiveCamera | OrthographicCamera): void {
+    // The surface is nearer than the middle of the model.
+    const far = Math.max(0.1, camera.position.length() - 0.6);
+    const tall =
+      camera instanceof PerspectiveCamera
+        ? 2 * far * Math.tan((Math.PI / 360) * camera.fov)
+        : (camera.top - camera.bottom) / camera.zoom;
+    const gap = (this.#edgeLength * this.#height) / tall;
+    this.#wire.opacity = this.#strength * Math.min(1, Math.max(0.12, (gap - 1.5) / 9));
   }
 
   place(space: ViewSpace, model: ModelView | undefined): void {
@@ -100,7 +122,9 @@ class SkinLayer implements Layer, SkinPort {
     this.#geometry.setIndex(new BufferAttribute(triangles, 1));
     this.#geometry.computeVertexNormals();
     this.#lines.geometry.setAttribute('position', this.#geometry.getAttribute('position'));
-    this.#lines.geometry.setIndex(new BufferAttribute(edgesOf(triangles), 1));
+    const edges = edgesOf(triangles);
+    this.#lines.geometry.setIndex(new BufferAttribute(edges, 1));
+    this.#edgeLength = meanLength(places, edges);
   }
 
   #showModel(shown: boolean): void {
@@ -120,14 +144,27 @@ const surface = (options: ConstructorParameters<typeof MeshStandardMaterial>[0])
     side: DoubleSide,
     polygonOffset: true,
     polygonOffsetFactor: -1,
-    polygonOffsetUnits: -4,
+    polygonOffsetUnits: -8,
     ...options,
   });
 
 function coloursOf(heat: Float32Array): Float32Array {
   const colours = new Float32Array(3 * heat.length);
-  for (let v = 0; v < heat.length; v++) colours.set(heatColour(heat[v]!), 3 * v);
+  for (let v = 0; v < heat.length; v++) colours.set(heatColour(0.5 + heat[v]! / 2), 3 * v);
   return colours;
+}
+
+function meanLength(places: Float32Array, edges: Uint32Array): number {
+  let sum = 0;
+  for (let e = 0; e < edges.length; e += 2) {
+    const [a, b] = [3 * edges[e]!, 3 * edges[e + 1]!];
+    sum += Math.hypot(
+      places[a]! - places[b]!,
+      places[a + 1]! - places[b + 1]!,
+      places[a + 2]! - places[b + 2]!,
+    );
+  }
+  return edges.length > 0 ? (2 * sum) / edges.length : 1;
 }
 
 /** Each edge once, as a pair of vertices. */

@@ -13,7 +13,7 @@ export interface SkinLook {
   readonly alone: boolean;
   /** Its edges, by which one connectivity can be seen on several models. */
   readonly edges: boolean;
-  /** In [0, 1] per vertex: coloured by the heat map. */
+  /** In [0, 1] per vertex: coloured by the heat map's warm half. */
   readonly heat?: Float32Array | undefined;
 }
 

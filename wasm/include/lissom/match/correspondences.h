@@ -17,7 +17,7 @@ struct CorrespondenceRules {
 /// Where the places of a skin should go, asked again as the skin moves.
 ///
 /// Forward, each vertex to the nearest place of the surface that faces as it does, by its share of the area and the cosine; a vertex of the skin's border to the
-/// surface's rim alone, others never there. In reverse, each sample of the surface is a place that the skin's nearest place should reach: without these, tips (ears, horns,
+/// surface's rim alone, others never there; what the surface ignores pulls nothing. In reverse, each sample of the surface is a place that the skin's nearest place should reach: without these, tips (ears, horns,
 /// toes) stay short, for nothing in their neighbourhood is nearest to a tip.
 /// Weights of vertices have a mean of 1 before any is left out.
 class Correspondences {
@@ -28,7 +28,8 @@ public:
     Correspondences(const FitSurface& surface, const SurfaceSamples& samples, bool facing = true);
 
     /// @param left_out  one flag per vertex of the skin, or none: where nothing is asked forward
-    [[nodiscard]] std::vector<Pull> find(const TriangleMesh& skin, const CorrespondenceRules& rules, const std::vector<char>& left_out = {});
+    /// @param masked    one flag per vertex of the skin, or none: triangles of only these are pulled at by no sample
+    [[nodiscard]] std::vector<Pull> find(const TriangleMesh& skin, const CorrespondenceRules& rules, const std::vector<char>& left_out = {}, const std::vector<char>& masked = {});
 
 private:
     const FitSurface& surface_;

@@ -2,6 +2,8 @@
 
 #include "lissom/mesh/types.h"
 
+#include <vector>
+
 namespace lissom {
 
 /// How far two surfaces are apart, in their unit.
@@ -11,7 +13,12 @@ struct SurfaceDistances {
 };
 
 /// By `samples` samples each way, each standing for the same area. NaN where one has no area.
-[[nodiscard]] SurfaceDistances surface_distances(const TriangleMesh& first, const TriangleMesh& second, int samples = 20000);
+/// @param first_out,second_out  one flag per triangle, or none: nothing is measured from there, though to there it may be
+[[nodiscard]] SurfaceDistances surface_distances(const TriangleMesh& first, const TriangleMesh& second, int samples = 20000, const std::vector<char>& first_out = {},
+                                                 const std::vector<char>& second_out = {});
+
+/// The triangles that are not flagged, of all vertices.
+[[nodiscard]] TriangleMesh without_triangles(const TriangleMesh& mesh, const std::vector<char>& out);
 
 /// √12 times the root mean square distance of the surface from its middle: the diagonal of the bounding box for a line and for a sphere, but
 /// the same however the surface is turned and triangulated. 0 without area.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lissom/mesh/corner_weights.h"
 #include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/triangle_tree.h"
 #include "lissom/mesh/types.h"
@@ -27,6 +28,7 @@ public:
         double distance = 0;
         double cosine = 1;   ///< between the asking point's normal and the surface's, blended between vertices so that it does not jump at edges; 1 where facing says nothing
         bool on_border = false;
+        bool ignored = false;
     };
 
     FitSurface(TriangleMesh mesh, const Rules& rules);
@@ -39,6 +41,11 @@ public:
     [[nodiscard]] Place nearest(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, double least_cosine, double reach, int hint = -1) const;
     /// The nearest place of the rim; none where there is none in reach or rims do not count.
     [[nodiscard]] Place nearest_on_border(const Eigen::Vector3d& p, double reach) const;
+
+    /// Leaves a part of the surface out: what is nearest there is told so. @param vertices  one flag each; a triangle is left out with all of its corners
+    void ignore(std::vector<char> vertices);
+    [[nodiscard]] bool ignores(int triangle) const;
+    [[nodiscard]] bool ignores_some() const { return !ignored_.empty(); }
 
     [[nodiscard]] bool has_border() const { return border_.triangle_count() > 0; }
     [[nodiscard]] bool has_facing() const { return rules_.facing; } ///< whether normals say anything
@@ -54,11 +61,9 @@ private:
     TriangleMesh border_;           ///< each edge of the rim as a triangle (a, b, b)
     std::vector<char> border_edge_; ///< of side 3 t + k, opposite corner k; empty without a rim
     std::vector<char> border_vertex_;
+    std::vector<char> ignored_; ///< vertices; empty: none
     TriangleTree tree_, border_tree_;
 };
-
-/// Weights of a triangle's corners at a place on it, summing to 1.
-[[nodiscard]] Eigen::Vector3d corner_weights(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& place);
 
 /// Unit normals of triangles; zero without area.
 [[nodiscard]] Points triangle_normals(const TriangleMesh& mesh);

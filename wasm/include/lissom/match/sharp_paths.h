@@ -52,7 +52,7 @@ struct SharpPaths {
 /// Each corner takes the nearest free vertex. Lines that bend back on themselves are cut, closed ones into four pieces first. Then, short pieces before long ones, the shortest
 /// way along edges between the ends, at a cost of |e| (1 + stray (d/L)²) with d the distance from the piece, through no vertex that another path or a marker has. Markers
 /// near a line are moved onto it and paths go through them. Places on the line are half those nearest to the vertices, made to go one way, and
-/// half spread as the path's edges are long.
+/// half spread as the path's edges are long; where a line has a kink of more than 10 degrees, the nearest vertex goes there.
 ///
 /// For n skins of one connectivity each model has paths of its own on the skin over it, and vertices that are held there alone; a path is the same edges in all
 /// (`locks`). Paths of different models may share vertices and edges.

@@ -4,6 +4,7 @@
 #include "lissom/match/correspondences.h"
 #include "lissom/match/fit_surface.h"
 #include "lissom/match/node_graph.h"
+#include "lissom/match/pull.h"
 
 #include <cstdint>
 #include <deque>
@@ -39,6 +40,13 @@ private:
     std::deque<NodeGraph> graphs_; ///< referred to while more are made
 };
 
+/// What is known of a skin before it is carried.
+struct CarryGuides {
+    std::vector<Pull> pulls;    ///< places of the skin and where they belong, weights in vertices
+    std::vector<char> left_out; ///< one flag per vertex: it is told where to go already, or nothing is to be asked about it
+    std::vector<char> masked;   ///< one flag per vertex, or none: no place of the surface pulls at triangles of only these
+};
+
 /// Carries a skin onto a surface by the affine maps of ever finer node graphs (`AffineFit`), asking again and again where its places should go (`Correspondences`).
 ///
 /// Source: what the paper's own loop (004, Eq 1) does not do.
@@ -46,10 +54,8 @@ private:
 class SkinCarrier {
 public:
     /// @param rest      the skin as it lies on the surface at first, about unit size
-    /// @param marker    per vertex the marker that it is, or −1; kept by reference as are `triangles`, `graphs` and `surface`
-    /// @param markers   where they are on the surface
-    SkinCarrier(Points rest, const Triangles& triangles, const std::vector<int>& marker, GraphLevels& graphs, const FitSurface& surface, Points markers, const CarrySchedule& schedule,
-                std::uint64_t seed = 0);
+    /// @param triangles,graphs,surface  kept by reference
+    SkinCarrier(Points rest, const Triangles& triangles, GraphLevels& graphs, const FitSurface& surface, CarryGuides guides, const CarrySchedule& schedule, std::uint64_t seed = 0);
 
     /// @returns true while there is more. @throws SolverFailure
     bool step();
@@ -65,10 +71,9 @@ private:
 
     Points rest_, points_;
     const Triangles& triangles_;
-    const std::vector<int>& marker_;
     GraphLevels& graphs_;
     const FitSurface& surface_;
-    Points markers_;
+    CarryGuides guides_;
     CarrySchedule schedule_;
     std::uint64_t seed_;
     int iteration_ = 0;

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "lissom/mesh/edge_curves.h"
 #include "lissom/mesh/types.h"
 
+#include <optional>
 #include <vector>
 
 namespace lissom {
@@ -11,6 +13,7 @@ struct SkinSet {
     Triangles triangles;
     std::vector<Points> points; ///< of each skin; the source's first
     std::vector<int> marker;    ///< per vertex the marker that it is, or −1: never moved, never taken away
+    std::optional<EdgeCurves> curves = {}; ///< of the source's sharp edges, its vertices those of the skins: edits keep them (Criteria 4 to 8), and on the source's skin they do not move
 
     [[nodiscard]] int vertex_count() const { return static_cast<int>(marker.size()); }
     [[nodiscard]] int count() const { return static_cast<int>(points.size()); }
@@ -21,6 +24,7 @@ struct ConnectivityOptions {
     double edge_length = 0.02;  ///< L, in the unit of all
     double share = 0.3;         ///< of the edges that are too long or too short, the worst ones, in one pass
     int most_vertices = 100000; ///< no splits beyond
+    double adapt = 0;           ///< 0: L is the same everywhere; 1: by `length_factors`; between: that power of them
 };
 
 struct ConnectivityChange {
@@ -29,6 +33,10 @@ struct ConnectivityChange {
     [[nodiscard]] bool any() const { return sum() > 0; }
     ConnectivityChange& operator+=(const ConnectivityChange& more);
 };
+
+/// How long edges at each vertex should be for the skins to be equally near to their models everywhere: √(κ̄/κ), between 1/3 and 2, κ the largest curvature on any skin
+/// (normals turn by so much a length, evened out over two rings) and κ̄ its mean over the area, so that about as many vertices do.
+[[nodiscard]] std::vector<double> length_factors(const SkinSet& skins);
 
 /// One pass over the edges of all skins at once (Skins 3.3): splits where an edge is longer than 1.5 L on any (Criterion 1), collapses where it is shorter than
 /// 0.5 L on all (Criterion 2), swaps where that makes the largest of all angles that face the edge smaller (Criterion 3).
@@ -41,7 +49,7 @@ struct ConnectivityChange {
 /// Cost: sorting the edges.
 ConnectivityChange improve_connectivity(SkinSet& skins, const ConnectivityOptions& options);
 
-/// Where the vertices of one skin go that each move a `share` of the way to the mean of their ring within their tangent plane, on a border along it; markers stay.
+/// Where the vertices of one skin go that each move a `share` of the way to the mean of their ring within their tangent plane, on a border along it; markers stay, and on the source's skin its sharp curves.
 /// The weights are the *same* on every skin, so that what belongs together stays together to first order.
 [[nodiscard]] Points relaxed_tangentially(const SkinSet& skins, int skin, double share = 0.3);
 
