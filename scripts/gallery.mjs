@@ -2,8 +2,10 @@
 // the recipes can be made again when a model changes. Run by hand: node scripts/gallery.mjs
 
 import { writeFileSync } from 'node:fs';
+import { blendExamples } from './gallery/blend.mjs';
 import { curveExamples } from './gallery/curves.mjs';
 import { deformExamples, firstRecipe } from './gallery/deform.mjs';
+import { dressExamples } from './gallery/dress.mjs';
 import { hairExamples } from './gallery/hair.mjs';
 import { isolineExamples } from './gallery/isolines.mjs';
 import { mergeExamples } from './gallery/merge.mjs';
@@ -34,9 +36,17 @@ const models = [
   ['snake', 'Snake in two', OWN],
   ['body-female', 'Body, female', HUMAN],
   ['body-male', 'Body, male', HUMAN],
+  ['body-heavy', 'Body, heavy', HUMAN],
   ['head-female', 'Head, female', HUMAN],
   ['head-male', 'Head, male', HUMAN],
   ['head-elf', 'Head, elf', HUMAN],
+  ['foot-female', 'Foot, female', HUMAN],
+  ['foot-male', 'Foot, male', HUMAN],
+  ['foot-child', 'Foot, child', HUMAN],
+  ['shirt', 'Shirt', HUMAN],
+  ['pants', 'Pants', HUMAN],
+  ['skirt', 'Skirt', HUMAN],
+  ['shoe', 'Shoe', OWN],
 ];
 
 const examples = [
@@ -45,6 +55,8 @@ const examples = [
   ...mergeExamples(),
   ...transferExamples(),
   ...(await curveExamples()),
+  ...(await blendExamples()),
+  ...dressExamples(),
   ...hairExamples(),
 ];
 

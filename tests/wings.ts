@@ -71,8 +71,8 @@ const SHARED = [
   /^web\/kernel\/[^/]+\.ts$/,
 ];
 
-/** What the browser calls its own things, whatever wings are called. */
-const PLATFORM = /\b(dataTransfer|matchMedia)\b/g;
+/** What browser and libraries call their own things, whatever wings are called. */
+const PLATFORM = /\b(dataTransfer|matchMedia)\b|\bblend(Src|Dst|Alpha|Equation)\b/g;
 
 /** @returns the lines of a shared file that say the name of a wing */
 export function namings(file: string, source: string, wings: readonly string[]): string[] {

@@ -8,6 +8,7 @@ import { blend, box, capsule, clamp, cylinder } from './distances.mjs';
 import { halves, implicitSurface } from './implicit-surface.mjs';
 import { folder } from './models.mjs';
 import { plyOf } from './ply.mjs';
+import { shoeOf } from './shoe.mjs';
 
 /** A pipe with a flange and four branches, all as wide: they end at y = 0. */
 function pipes() {
@@ -288,7 +289,9 @@ function snake() {
   });
 }
 
-const shapes = { pipes, block, key, wings, loops, moebius, sheets, cactus, snake };
+const shoe = () => shoeOf('foot-female');
+
+const shapes = { pipes, block, key, wings, loops, moebius, sheets, cactus, snake, shoe };
 const wanted = process.argv.slice(2);
 for (const [name, shape] of Object.entries(shapes)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;

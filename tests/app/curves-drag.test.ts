@@ -84,8 +84,8 @@ const request = (of: CurvesStep, live: boolean): Request<CurvesStep> => ({
   wish: '',
 });
 
-const card = (blends: boolean, drawn = false) => ({
-  blends: signal(blends),
+const card = (movable: boolean, drawn = false) => ({
+  movable: signal(movable),
   contours: { on: signal(drawn) },
 });
 
@@ -94,14 +94,14 @@ test('a drag asks for a table a move, and once for what vertices go by', async (
   const strategy = curvesStrategy(card(true));
   const first = await strategy.run(request(step, true), evaluating(before));
   expect(first).toMatchObject({ positions: before.positions, settled: false, report: before.report });
-  expect(first.blend!.motion.vertexCount).toBe(2);
+  expect(first.moved!.motion.vertexCount).toBe(2);
   const second = await strategy.run(request(step, true), evaluating(before));
-  expect(second.blend!.motion).toBe(first.blend!.motion);
+  expect(second.moved!.motion).toBe(first.moved!.motion);
   expect(asked).toEqual(['curveTable', 'curveAttributes', 'curveTable']);
   // Other curves, or another worker.
   prepared.now = {};
   const third = await strategy.run(request(step, true), evaluating(before));
-  expect(third.blend!.motion).not.toBe(first.blend!.motion);
+  expect(third.moved!.motion).not.toBe(first.moved!.motion);
 });
 
 test.each([
@@ -112,10 +112,10 @@ test.each([
   ['nothing is on screen yet', step, true, true, null],
   ['another step is', step, true, true, { ...before, step: { ...step, id: 'other' } }],
   ['it has not been run yet', step, true, true, { ...before, report: null }],
-] as const)('vertices are computed where %s', async (_, of, live, blends, shownBefore, drawn?: boolean) => {
+] as const)('vertices are computed where %s', async (_, of, live, movable, shownBefore, drawn?: boolean) => {
   const { asked, evaluating } = world();
-  const outcome = await curvesStrategy(card(blends, drawn)).run(request(of, live), evaluating(shownBefore));
+  const outcome = await curvesStrategy(card(movable, drawn)).run(request(of, live), evaluating(shownBefore));
   expect(asked).toEqual(['run']);
-  expect(outcome.blend).toBeUndefined();
+  expect(outcome.moved).toBeUndefined();
   expect([...outcome.positions]).toEqual([0, 1, 2, 3, 4, 5]);
 });

@@ -53,7 +53,7 @@ test('a hundred changes of workspace leave no effect and no layer behind', async
   const before = { effects: live.effects, layers: mounted() };
   for (let i = 0; i < 50; i++) await change();
   expect({ effects: live.effects, layers: mounted() }).toEqual(before);
-  expect(before.layers).toEqual(['blend', 'levels', 'markers']);
+  expect(before.layers).toEqual(['levels', 'markers', 'motion']);
   tab.app.dispose();
   expect({ effects: live.effects, layers: mounted() }).toEqual({ effects: 0, layers: [] });
 });

@@ -50,6 +50,6 @@ test.each([
     show: () => {},
   } as unknown as Evaluating;
   const request: Request<DeformStep> = { recipe, step: recipe.steps[0] as DeformStep, live, wish: '' };
-  await expect(deformStrategy({ blends: signal(true) }).run(request, evaluating)).rejects.toBe(stop);
+  await expect(deformStrategy({ movable: signal(true) }).run(request, evaluating)).rejects.toBe(stop);
   expect(said).toEqual(['Preparing 1,081,350 vertices (about 540 MB)']);
 });

@@ -1,10 +1,14 @@
 // The app without a browser: a kernel that moves every free vertex with the first handle, memory for storage.
 
 import { type BuiltApp, buildApp, type World } from '../../web/app/app';
+import type { BlendActions } from '../../web/app/blend/actions';
+import type { BlendWing } from '../../web/app/blend/wing';
 import type { CurvesActions } from '../../web/app/curves/actions';
 import type { CurvesWing } from '../../web/app/curves/wing';
 import type { DeformActions } from '../../web/app/deform/actions';
 import type { DeformWing } from '../../web/app/deform/wing';
+import type { DressActions } from '../../web/app/dress/actions';
+import type { DressWing } from '../../web/app/dress/wing';
 import type { SaveOptions } from '../../web/app/file-dialogs';
 import type { HairActions } from '../../web/app/hair/actions';
 import type { HairWing } from '../../web/app/hair/wing';
@@ -52,6 +56,8 @@ export class FakeKernel implements KernelPort {
   #models: Float64Array[] = [];
   #sessions: { rest: Float64Array; moved: Set<number> }[] = [];
   #paired: Args<'prepareTransfer'>[] = [];
+  #blends: Args<'prepareBlend'>[] = [];
+  #fittings: Args<'prepareDress'>[] = [];
 
   async call<M extends Method>(
     method: M,
@@ -64,10 +70,18 @@ export class FakeKernel implements KernelPort {
     return this.#answers[method]?.(args as never) as Result<M>;
   }
 
+  #triangles: Uint32Array = new Uint32Array();
+
+  /** The connectivity of what was opened last: that of all models here. */
+  #seen(triangles: Uint32Array): Uint32Array {
+    this.#triangles = triangles;
+    return triangles;
+  }
+
   readonly #answers: { readonly [M in Method]?: (args: Args<M>) => Result<M> } = {
     openModel: ({ positions, faceVertices }) => ({
       id: this.#models.push(positions) as KernelId,
-      triangles: faceVertices,
+      triangles: this.#seen(faceVertices),
       faceOfTriangle: Uint32Array.from({ length: faceVertices.length / 3 }, (_, i) => i),
       welded: Int32Array.from({ length: positions.length / 3 }, (_, i) => i),
       findings: [],
@@ -120,6 +134,73 @@ export class FakeKernel implements KernelPort {
             positions[3 * v + axis]! += strength * (pose[k]! - rest[k]!);
           }
       return { positions, iterations: 1, warnings: [], seconds: { perIteration: 0.001, solve: 0.001 } };
+    },
+    // Models of one connectivity are their own skins.
+    match: ({ models }) => {
+      const skins = models.map(({ model }) => this.#models[model - 1]!);
+      return {
+        triangles: this.#triangles,
+        positions: skins,
+        figures: skins.map(() => ({
+          distance: { mean: 0, back: 0, p99: 0 },
+          flipped: 0,
+          folds: 0,
+          selfIntersections: 0,
+        })),
+        residuals: skins.map(({ length }) => new Float32Array(length / 3)),
+        poorest: skins.map(() => new Uint32Array()),
+        markerVertices: new Uint32Array(),
+        markerError: 0,
+        iterations: 1,
+        warnings: [],
+        seconds: { start: 0, carry: 0, fine: 0, connectivity: 0, report: 0 },
+        peakBytes: 1,
+      };
+    },
+    prepareBlend: (args) => ({
+      id: this.#blends.push(args) as KernelId,
+      warnings: [],
+      seconds: { factor: 0.002 },
+      peakBytes: 1,
+    }),
+    // Parts are set in as they are; every measure is the first weight, and what is wanted of one becomes it.
+    blend: ({ blend, weights: given, measures }) => {
+      const { positions: skins, parts } = this.#blends[blend - 1]!;
+      const wanted = measures.find(({ value }) => value !== undefined)?.value;
+      const weights = given.map((weight, i) => (i === 0 ? (wanted ?? weight) : weight));
+      const positions = new Float64Array(skins[0]!.length);
+      for (const [k, skin] of skins.entries())
+        for (let i = 0; i < positions.length; i++) positions[i]! += weights[k]! * skin[i]!;
+      for (const { from, vertices } of parts)
+        for (const v of vertices) for (let k = 0; k < 3; k++) positions[3 * v + k] = skins[from]![3 * v + k]!;
+      return {
+        positions,
+        weights,
+        reached: Float64Array.from(measures, () => weights[0]!),
+        iterations: 1,
+        warnings: [],
+        seconds: { measure: 0, blend: 0.001 },
+      };
+    },
+    prepareDress: (args) => ({
+      id: this.#fittings.push(args) as KernelId,
+      seconds: { prepare: 0.002 },
+      peakBytes: 1,
+    }),
+    // Cloth goes along with the first vertex of the body, and up by the ease.
+    dress: ({ dress, offset }) => {
+      const { garment, from, to } = this.#fittings[dress - 1]!;
+      const positions = this.#models[garment - 1]!.map(
+        (x, i) => x + to[i % 3]! - from[i % 3]! + (i % 3 === 1 ? offset : 0),
+      );
+      return {
+        positions,
+        before: { vertices: 3, faceCentres: 4 },
+        after: { vertices: offset < 0 ? 2 : 0, faceCentres: 0 },
+        rounds: 1,
+        warnings: [],
+        seconds: { dress: 0.001 },
+      };
     },
     measure: ({ positions }) => ({
       volumeRatio: 1,
@@ -288,6 +369,22 @@ export class Tab {
       reload: () => void this.reloads++,
     };
     this.app = buildApp(world);
+  }
+
+  get blend(): BlendActions {
+    return this.#wing<BlendWing>('blend').actions;
+  }
+
+  get blendState(): BlendWing['state'] {
+    return this.#wing<BlendWing>('blend').state;
+  }
+
+  get dress(): DressActions {
+    return this.#wing<DressWing>('dress').actions;
+  }
+
+  get dressState(): DressWing['state'] {
+    return this.#wing<DressWing>('dress').state;
   }
 
   get curves(): CurvesActions {

@@ -36,11 +36,11 @@ const TUBE = {
 const state = (desk: Desk) =>
   desk.page.evaluate(() => {
     const { app } = window.__lissom;
-    const { blend, settled } = app.evaluator.result.peek()!;
-    return { blends: blend !== null, settled, previews: app.state.previewing.peek() };
+    const { moved, settled } = app.evaluator.result.peek()!;
+    return { movable: moved !== null, settled, previews: app.state.previewing.peek() };
   });
-const DRAGGED = { blends: true, settled: false, previews: true };
-const AT_REST = { blends: false, settled: true, previews: false };
+const DRAGGED = { movable: true, settled: false, previews: true };
+const AT_REST = { movable: false, settled: true, previews: false };
 
 /** Where the core has the vertices, and where the graphics card had them last. */
 async function places(desk: Desk) {
@@ -219,7 +219,7 @@ test('linked curves are dragged on the graphics card, which draws what the core 
     const [from] = await desk.project(step.curves[0]!.posed!.at(-1)! as Vec3);
     await desk.hold(from!, { x: -40, y: 5 });
     await expect.poll(async () => gap((await places(desk)).positions, before)).toBeGreaterThan(0.2);
-    expect(await state(desk)).toEqual({ blends: false, settled: false, previews: true });
+    expect(await state(desk)).toEqual({ movable: false, settled: false, previews: true });
     await release(desk);
     await desk.choose(['tube.json', recipe('tube', TUBE)], ['tube.obj', tubeObj(24, 60)]);
     await page.keyboard.press('v');

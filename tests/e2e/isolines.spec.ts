@@ -9,22 +9,22 @@ test.use({ viewport: SIZE });
 
 const state = (desk: Desk) =>
   desk.page.evaluate(() => {
-    const { blend, settled } = window.__lissom.app.evaluator.result.peek()!;
-    return { blends: blend !== null, settled };
+    const { moved, settled } = window.__lissom.app.evaluator.result.peek()!;
+    return { movable: moved !== null, settled };
   });
 
 /** What the graphics card has made of the model, and what it was given to make it of. */
 async function onTheCard(desk: Desk) {
   const read = await desk.page.evaluate(() => {
     const { evaluator, wings } = window.__lissom.app;
-    const { blend, shown } = evaluator.result.peek()!;
+    const { moved, shown } = evaluator.result.peek()!;
     const wing = wings.get('deform') as unknown as DeformWing;
-    const { fields, still, ...surface } = (blend!.motion as IsolineMotion).surface;
+    const { fields, still, ...surface } = (moved!.motion as IsolineMotion).surface;
     return {
       ...{ sets: surface.sets, single: surface.single, basis: surface.basis, controls: surface.controls },
       fields: [...fields],
       still: [...(still ?? [])],
-      offsets: [...blend!.table],
+      offsets: [...moved!.table],
       rest: [...shown.model.positions],
       drawn: [...wing.state.readBack()!.positions],
     };
@@ -51,7 +51,7 @@ test('a drag by isolines follows on the graphics card, settles when the hand let
   await page.mouse.down();
   for (let i = 1; i <= 6; i++) await page.mouse.move(grip.x + 20 * i, grip.y - 5 * i);
   await desk.settled();
-  expect(await state(desk)).toEqual({ blends: true, settled: false });
+  expect(await state(desk)).toEqual({ movable: true, settled: false });
   await expect(page.getByText('Moving by isolines')).toBeVisible();
   const { drawn, offsets, rest: still, ...surface } = await onTheCard(desk);
   const apart = gap(drawn, blended(surface, offsets, still)) / diagonal(still);
@@ -60,7 +60,7 @@ test('a drag by isolines follows on the graphics card, settles when the hand let
   await desk.picture('isolines-dragged');
   await page.mouse.up();
   await desk.settled();
-  expect(await state(desk)).toEqual({ blends: false, settled: true });
+  expect(await state(desk)).toEqual({ movable: false, settled: true });
   await desk.picture('isolines-settled');
   const posed = await desk.shown();
   expect(gap(posed.positions, rest.positions)).toBeGreaterThan(0);
@@ -99,7 +99,7 @@ test('a large model is prepared with progress and a way out, and dragged by isol
   await page.mouse.down();
   for (let i = 1; i <= 4; i++) await page.mouse.move(grip.x, grip.y - 12 * i);
   await desk.settled();
-  expect(await state(desk)).toEqual({ blends: true, settled: false });
+  expect(await state(desk)).toEqual({ movable: true, settled: false });
   await desk.picture('isolines-large');
   const { alone, moving } = await pictureTimes(desk);
   console.log(
@@ -107,7 +107,7 @@ test('a large model is prepared with progress and a way out, and dragged by isol
   );
   await page.mouse.up();
   await desk.settled();
-  expect(await state(desk)).toEqual({ blends: false, settled: true });
+  expect(await state(desk)).toEqual({ movable: false, settled: true });
 });
 
 test('the large model of the gallery is made when it is opened, and given up when it is cancelled', async ({

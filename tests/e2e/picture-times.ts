@@ -30,14 +30,14 @@ export const pictureTimes = (desk: Desk) =>
         stir(1);
       });
     const result = app.evaluator.result as { value: ReturnType<typeof app.evaluator.result.peek> };
-    const { blend } = result.value!;
+    const { moved } = result.value!;
     const look = () => {
       const { camera } = viewport;
       viewport.camera = camera;
     };
     const move = (share: number) => {
-      const table = blend!.table.map((part) => share * part);
-      result.value = { ...result.value!, blend: { ...blend!, table } };
+      const table = moved!.table.map((part) => share * part);
+      result.value = { ...result.value!, moved: { ...moved!, table } };
     };
     const [alone, moving]: number[][] = [[], []];
     for (let turn = 0; turn < 5; turn++) {

@@ -29,6 +29,10 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   match: 'in slices', // 1 s, a pass over edges or a step that is guarded
   carryPlaces: 'with its worker', // 0.2 s
   guessPlace: 'with its worker', // 0.3 s
+  prepareBlend: 'in slices', // a part a slice
+  blend: 'with its worker', // 0.1 s, of many measures 2 s
+  prepareDress: 'in slices', // 2 s, the map of space
+  dress: 'with its worker', // 1 s
   prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices

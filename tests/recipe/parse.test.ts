@@ -77,7 +77,7 @@ const bent = example().outputs[0];
 describe('what is wrong is said with its place and what to do', () => {
   test.each<[string, string, unknown]>([
     [
-      'steps[0].type: unknown step type "explode"; known types are deform, merge, hair, transfer, curves, match.',
+      'steps[0].type: unknown step type "explode"; known types are deform, merge, hair, transfer, curves, match, blend, dress.',
       'steps.0.type',
       'explode',
     ],

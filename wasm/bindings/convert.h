@@ -35,6 +35,13 @@ inline lissom::Points points(const val& float64) {
     return result;
 }
 
+/// Uint32Array of 3m → m×3.
+inline lissom::Triangles triangles(const val& uint32) {
+    const std::vector<int> corners = indices(uint32);
+    if (corners.size() % 3 != 0) throw lissom::InvalidInput("wrong-size", "Triangles have three corners each, but there are " + std::to_string(corners.size()) + " numbers.");
+    return Eigen::Map<const lissom::Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+}
+
 /// Float64Array of 3n → a line of n places.
 inline lissom::Polyline polyline(const val& float64) {
     const lissom::Points rows = points(float64);

@@ -11,6 +11,7 @@ import type { MergeModule } from './merge';
 import type { ModelModule } from './model';
 import type { SketchModule } from './sketch';
 import type { TransferModule } from './transfer';
+import type { WearModule } from './wear';
 
 /** One line per wing: the registry of the bindings. */
 export interface KernelModule
@@ -23,7 +24,8 @@ export interface KernelModule
     MatchModule,
     CurveModule,
     SketchModule,
-    ContourModule {}
+    ContourModule,
+    WearModule {}
 
 /** What kernel.mjs takes: how to make an instance once the imports are known. */
 export interface KernelSettings {

@@ -7,7 +7,7 @@ import type { Recipe, Step } from '../recipe/recipe';
 import type { Runner } from '../run/evaluate';
 import type { StepReport } from '../run/results';
 import type { ModelResult } from '../run/types';
-import type { MotionTable, SurfaceMotion } from '../view/blend/types';
+import type { MotionTable, SurfaceMotion } from '../view/motion/types';
 import type { MessageKey } from './i18n';
 
 export type RunnerPort = Pick<Runner, 'run' | 'opened' | 'ask'>;
@@ -19,10 +19,10 @@ export interface EvaluatorPort {
 }
 
 /** A model moved on the graphics card. */
-export interface Blend {
+export interface Moved {
   /** Stays the same object from one move to the next. */
   readonly motion: SurfaceMotion;
-  /** See `BlendPort.move`. */
+  /** See `MotionPort.move`. */
   readonly table: MotionTable;
 }
 
@@ -36,8 +36,10 @@ export interface Evaluation {
   readonly shown: ModelResult;
   /** Where the vertices of the model on screen are. */
   readonly positions: Float64Array;
+  /** Who wears what is shown: it stands on screen in its place, and what is shown is laid over it. */
+  readonly wearer: ModelResult | null;
   /** How the graphics card moves the model on screen meanwhile; `null`: it is where `positions` say. */
-  readonly blend: Blend | null;
+  readonly moved: Moved | null;
   /** Of a step that grows some. */
   readonly strands: Strands | null;
   /** `null` for a step that does nothing yet. */
@@ -52,7 +54,7 @@ export interface Evaluation {
 
 /** What a strategy makes of a step; the rest of an evaluation is the evaluator's. */
 export type Outcome = Pick<Evaluation, 'inputs' | 'shown' | 'positions'> &
-  Partial<Pick<Evaluation, 'blend' | 'strands' | 'report' | 'problem' | 'settled'>>;
+  Partial<Pick<Evaluation, 'wearer' | 'moved' | 'strands' | 'report' | 'problem' | 'settled'>>;
 
 /** A state of the open step that is to be shown. */
 export interface Request<S extends Step = Step> {

@@ -102,7 +102,8 @@ export class Evaluator implements EvaluatorPort {
     const started = performance.now();
     const busy = busySign(this.parts.state.busy, t(strategy.busy), () => this.#stopped());
     const evaluation = (outcome: Outcome): Evaluation => ({
-      blend: null,
+      wearer: null,
+      moved: null,
       strands: null,
       report: null,
       problem: null,

@@ -18,8 +18,8 @@ export const factsOf = ({ model, opened }: Pick<ModelResult, 'model' | 'opened'>
 
 /** What the fast half of a step took, in milliseconds. */
 export function solveTime(report: StepReport | null): number {
-  const { solve = 0, rotate = 0, reconstruct = 0, blend = 0, settle = 0 } = report?.seconds ?? {};
-  return 1000 * (solve + rotate + reconstruct + blend + settle);
+  const { solve = 0, rotate = 0, reconstruct = 0, apply = 0, settle = 0 } = report?.seconds ?? {};
+  return 1000 * (solve + rotate + reconstruct + apply + settle);
 }
 
 /**

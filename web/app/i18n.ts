@@ -2,8 +2,10 @@
 // A wing's own words come with the wing (`addWords`); until then there is nothing on screen that needs them.
 
 import app from './locales/en/app.json';
+import type blend from './locales/en/blend.json';
 import type curves from './locales/en/curves.json';
 import type deform from './locales/en/deform.json';
+import type dress from './locales/en/dress.json';
 import type hair from './locales/en/hair.json';
 import type match from './locales/en/match.json';
 import type merge from './locales/en/merge.json';
@@ -12,7 +14,14 @@ import ui from './locales/en/ui.json';
 import wings from './locales/en/wings.json';
 
 /** One name per wing: the registry of words. */
-type WingWords = typeof curves & typeof deform & typeof hair & typeof match & typeof merge & typeof transfer;
+type WingWords = typeof blend &
+  typeof curves &
+  typeof deform &
+  typeof dress &
+  typeof hair &
+  typeof match &
+  typeof merge &
+  typeof transfer;
 type Words = typeof app & typeof ui & WingWords;
 type WingId = keyof typeof wings;
 

@@ -2,6 +2,7 @@
 
 import { computed, effect, type ReadonlySignal } from '@preact/signals';
 import type { Model } from '../core/model';
+import type { ModelResult } from '../run/types';
 import type { ViewModel, ViewportPort } from '../view/types';
 import type { Evaluation, EvaluatorPort } from './evaluated';
 import type { State } from './state';
@@ -44,16 +45,18 @@ export function syncModel(
 }
 
 function show(viewport: ViewportPort, next: Evaluation, before: Evaluation | null): void {
-  const { model, opened } = next.shown;
+  const { model, opened, key } = standing(next);
+  const last = before && standing(before);
   // A new worker opens the same model anew: that alone must not end what the hand is doing.
   const isShown =
-    before?.shown.key === next.shown.key &&
-    before.shown.model.colors === model.colors &&
-    before.shown.model.upAxis === model.upAxis;
+    last?.key === key && last.model.colors === model.colors && last.model.upAxis === model.upAxis;
   if (!isShown) {
-    const keepCamera = before?.shown.model.faceVertices === model.faceVertices;
+    const keepCamera = last?.model.faceVertices === model.faceVertices;
     viewport.setModel(viewModel(model, opened), { keepCamera });
   }
-  if (!isShown || next.positions !== before?.positions) viewport.setPositions(next.positions);
+  if (!isShown || placesOf(next) !== (before && placesOf(before))) viewport.setPositions(placesOf(next));
   if (next.settled) viewport.settlePositions();
 }
+
+const standing = ({ wearer, shown }: Evaluation): ModelResult => wearer ?? shown;
+const placesOf = ({ wearer, positions }: Evaluation): Float64Array => wearer?.model.positions ?? positions;

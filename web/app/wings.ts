@@ -20,6 +20,8 @@ export const wings = {
   transfer: { icon: 'person-standing', key: 'Shift+4', load: () => import('./transfer/wing') },
   curves: { icon: 'bone', key: 'Shift+5', load: () => import('./curves/wing') },
   match: { icon: 'git-compare-arrows', key: 'Shift+6', load: () => import('./match/wing') },
+  blend: { icon: 'triangle', key: 'Shift+7', load: () => import('./blend/wing') },
+  dress: { icon: 'shirt', key: 'Shift+8', load: () => import('./dress/wing') },
 } as const satisfies Readonly<Record<WorkspaceId, Entry>>;
 
 /** In the order of the buttons. */

@@ -27,6 +27,13 @@ export function sizeOf(set: VertexSet, count: number): number {
 export const isEmpty = (set: VertexSet): boolean =>
   set !== 'all' && ('ranges' in set ? set.ranges.length === 0 : set.length === 0);
 
+/** Whether a vertex is in a set, told without making a list of it. */
+export function holds(set: VertexSet, vertex: number): boolean {
+  if (set === 'all') return true;
+  if ('ranges' in set) return set.ranges.some(([first, last]) => first <= vertex && vertex <= last);
+  return set.includes(vertex);
+}
+
 /** The shortest recipe form of a set of indices (any order, repeats allowed) over `count` vertices. */
 export function fromIndices(indices: Iterable<number>, count: number): OwnVertexSet {
   const sorted = unique([...indices]);

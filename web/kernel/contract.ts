@@ -11,6 +11,7 @@ import type { MergeKernel } from './contract/merge';
 import type { KernelId, ModelKernel } from './contract/model';
 import type { SketchKernel } from './contract/sketch';
 import type { TransferKernel } from './contract/transfer';
+import type { WearKernel } from './contract/wear';
 
 export type { KernelId };
 /** What can be seen of work under way. */
@@ -25,6 +26,7 @@ export interface Kernel
     HairKernel,
     TransferKernel,
     MatchKernel,
+    WearKernel,
     CurveKernel,
     SketchKernel,
     ContourKernel {}

@@ -1,7 +1,7 @@
 // What a schema cannot say: names that must be unique, references that must lead somewhere.
 
 import { pathText, recipeError } from './problem';
-import { type Recipe, type StepType, stepRow } from './recipe';
+import { type Recipe, type Step, type StepType, stepRow } from './recipe';
 import { namesOf, producedNames, producerOf, referencesOf } from './references';
 
 const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
@@ -27,6 +27,7 @@ export function crossCheck(recipe: Recipe): void {
           pathText(['steps', at, ...path]),
           several ? noSet(name, recipe, at, sets) : lost(name, recipe, at, known),
         );
+    checkMembers(recipe, step, at);
     const double = [...namesOf(step)].find((name) => taken.has(name));
     if (double !== undefined) {
       const what = Object.hasOwn(recipe.models, double) ? 'a model' : 'an earlier step';
@@ -43,6 +44,19 @@ export function crossCheck(recipe: Recipe): void {
     }
   }
   checkOutputs(recipe, made);
+}
+
+/** Single models of a set are named as the step that leaves it calls them. */
+function checkMembers(recipe: Recipe, step: Step, at: number): void {
+  const set = referencesOf(step).find(({ several }) => several);
+  const maker = set && recipe.steps.find(({ id }) => id === set.name);
+  const names = maker && stepRow(maker.type).outputs?.(maker);
+  for (const { path, name } of (names && stepRow(step.type).members?.(step)) || [])
+    if (!names?.includes(name))
+      throw recipeError(
+        pathText(['steps', at, ...path]),
+        `${quoted(set!.name)} has no model ${quoted(name)}; it has ${listed(names!)}.`,
+      );
 }
 
 function checkOutputs(recipe: Recipe, made: ReadonlySet<string>): void {

@@ -32,6 +32,10 @@ export function stepOf<T extends StepType>(recipe: Recipe, id: string, type: T):
   return step?.type === type ? (step as StepOf<T>) : undefined;
 }
 
+/** The steps of a type, in their order. */
+export const stepsOf = <T extends StepType>({ steps }: Pick<Recipe, 'steps'>, type: T): StepOf<T>[] =>
+  steps.filter((step) => step.type === type) as StepOf<T>[];
+
 /** Puts an edited step in the place of the one with its id. */
 export const replaceStep = (recipe: Recipe, step: Step): Recipe => ({
   ...recipe,

@@ -5,8 +5,10 @@ import * as v from 'valibot';
 import { MAX_STEPS } from './limits';
 import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
 import { type StepRow, stepType } from './step-row';
+import { blendMembers, blendStep } from './steps/blend';
 import { curvesStep } from './steps/curves';
 import { deformStep } from './steps/deform';
+import { dressMembers, dressStep } from './steps/dress';
 import { hairStep } from './steps/hair';
 import { matchStep } from './steps/match';
 import { mergeStep } from './steps/merge';
@@ -28,6 +30,8 @@ export const STEP_TYPES = {
     workspace: 'match',
     outputs: ({ models }) => models,
   }),
+  blend: stepType(blendStep, { main: 'match', writes: 'mesh', workspace: 'blend', members: blendMembers }),
+  dress: stepType(dressStep, { main: 'garment', writes: 'mesh', workspace: 'dress', members: dressMembers }),
 };
 
 /** Names of models: short, printable, usable as a file stem. */
@@ -76,8 +80,10 @@ export type StepType = keyof typeof STEP_TYPES;
 export type WorkspaceId = Exclude<(typeof STEP_TYPES)[StepType]['workspace'], null>;
 export type StepOf<T extends StepType> = Extract<Step, { readonly type: T }>;
 export type ModelRef = v.InferOutput<typeof modelRef>;
+export type { BlendStep } from './steps/blend';
 export type { CurvesStep } from './steps/curves';
 export type { DeformHandle, DeformStep } from './steps/deform';
+export type { DressStep } from './steps/dress';
 export type { HairStep } from './steps/hair';
 export type { MatchStep } from './steps/match';
 export type { MergeStep } from './steps/merge';

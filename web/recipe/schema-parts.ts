@@ -60,6 +60,12 @@ function modelName() {
   return v.pipe(v.string(), v.minLength(1, 'a name'), v.maxLength(200, 'a name of at most 200 characters'));
 }
 
+/** One of the models that a `severalReference` stands for, as the step that leaves them calls it. */
+export const memberName = modelName();
+
+/** What a person calls something. */
+export const itemName = v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'));
+
 export const stepId = v.pipe(
   v.string(),
   v.minLength(1, 'an id'),

@@ -8,6 +8,12 @@ type StepSchema = v.StrictObjectSchema<
 /** Fields of a step that can hold a reference, or a list of them. */
 type Named<S> = { [F in keyof S]-?: S[F] extends string | readonly string[] ? F : never }[keyof S] & string;
 
+/** One place where a step names one of several models. */
+export interface Member {
+  readonly path: readonly (string | number)[];
+  readonly name: string;
+}
+
 /** What everyone may know of a step type without knowing the type. */
 type Facts<S> = {
   /** The reference to the model that it changes: what its result takes the place of. Of several, the first. */
@@ -16,6 +22,8 @@ type Facts<S> = {
   readonly workspace: string | null;
   /** Whether what it does can be told by joints: an output may ask for a skin. */
   readonly skin?: true;
+  /** Where it names single ones of the models that its reference to several stands for, by their names there. */
+  readonly members?: (step: S) => readonly Member[];
 } & (
   | { readonly writes: 'mesh' | 'strands' }
   /** `outputs` are the names of what it leaves: `<id>/<name>` wherever a step or an output names a model. */
@@ -35,5 +43,6 @@ export interface StepRow<S> {
   readonly workspace: string | null;
   readonly skin?: true;
   readonly writes: 'mesh' | 'strands' | 'meshes';
+  members?(step: S): readonly Member[];
   outputs?(step: S): readonly string[];
 }

@@ -29,6 +29,8 @@ const faces = {
   transfer: () => import('./transfer/face'),
   curves: () => import('./curves/face'),
   match: () => import('./match/face'),
+  blend: () => import('./blend/face'),
+  dress: () => import('./dress/face'),
 } satisfies Readonly<Record<WorkspaceId, () => Promise<{ readonly face: Face }>>>;
 
 const loaded = signal<Partial<Readonly<Record<WorkspaceId, Face>>>>({});

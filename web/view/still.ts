@@ -32,7 +32,7 @@ export class StillPicture {
   #shot: FramebufferTexture | undefined;
   #width = 0;
   #height = 0;
-  readonly #blend = copier({
+  readonly #averaged = copier({
     blending: CustomBlending,
     blendSrc: ConstantAlphaFactor,
     blendDst: OneMinusConstantAlphaFactor,
@@ -103,9 +103,9 @@ export class StillPicture {
     renderer.copyFramebufferToTexture(this.#shot);
     const clears = renderer.autoClear;
     renderer.autoClear = false;
-    this.#blend.blendAlpha = 1 / this.#count;
+    this.#averaged.blendAlpha = 1 / this.#count;
     renderer.setRenderTarget(this.#mean);
-    this.#draw(renderer, this.#blend, this.#shot);
+    this.#draw(renderer, this.#averaged, this.#shot);
     renderer.autoClear = clears;
     this.show(renderer);
   }
@@ -113,7 +113,7 @@ export class StillPicture {
   dispose(): void {
     this.#shot?.dispose();
     this.#mean.dispose();
-    this.#blend.dispose();
+    this.#averaged.dispose();
     this.#present.dispose();
     this.#screen.geometry.dispose();
   }

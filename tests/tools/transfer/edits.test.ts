@@ -1,6 +1,7 @@
 import { expect, test } from 'vitest';
+import { holds } from '../../../web/core/vertex-set';
 import { newTransferStep } from '../../../web/recipe/steps/transfer';
-import { counterpartAt, holds, nextOpen, pairing, setCounterpart } from '../../../web/tools/transfer/edits';
+import { counterpartAt, nextOpen, pairing, setCounterpart } from '../../../web/tools/transfer/edits';
 import { region } from './chair';
 
 const step = {

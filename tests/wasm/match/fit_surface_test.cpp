@@ -51,7 +51,6 @@ TEST_CASE("the cosine does not jump where one triangle ends and the next begins"
         const Vector3d middle = (p.row(t[0]) + p.row(t[1])) / 2, across = 1e-9 * (p.row(t[2]).transpose() - middle);
         CHECK(std::abs(ball.nearest(middle + across, normal, -1, 1).cosine - ball.nearest(middle - across, normal, -1, 1).cosine) < 1e-7);
     }
-    CHECK(corner_weights(ball.mesh(), 5, p.row(ball.mesh().triangles(5, 1))).isApprox(Vector3d(0, 1, 0)));
 }
 
 TEST_CASE("no surface and no area have no place, and no number that is none") {

@@ -14,7 +14,7 @@ type CurvesRequest = Request<CurvesStep>;
 /** By the curves' preparation: a drag asks for their attributes once. */
 type Motions = LastMade<PreparedCurves, CurveMotion>;
 
-type Own = Pick<CurvesState, 'blends'> & { readonly contours: Pick<CurvesState['contours'], 'on'> };
+type Own = Pick<CurvesState, 'movable'> & { readonly contours: Pick<CurvesState['contours'], 'on'> };
 
 export function curvesStrategy(own: Own): Strategy<CurvesStep> {
   const motions: Motions = new LastMade();
@@ -28,7 +28,7 @@ export function curvesStrategy(own: Own): Strategy<CurvesStep> {
       const { step, live } = request;
       if (step.curves.length === 0) return untouched(request, evaluating);
       // The thesis's planes are no table of motions, and lines of the drawing lie on vertices that are known.
-      const byCard = own.blends.peek() && !own.contours.on.peek() && step.options.encoding === 'kernel';
+      const byCard = own.movable.peek() && !own.contours.on.peek() && step.options.encoding === 'kernel';
       if (live && byCard) {
         const moved = await dragged(request, evaluating, motions);
         if (moved) return moved;
@@ -62,7 +62,7 @@ async function dragged(
     return new CurveMotion(attributes, shown.model.positions);
   });
   const { positions, report } = before;
-  return { inputs: [shown], shown, positions, blend: { motion, table: texels }, report, settled: false };
+  return { inputs: [shown], shown, positions, moved: { motion, table: texels }, report, settled: false };
 }
 
 const AT_REST = ['kind', 'rest', 'rigid', 'region', 'anchor', 'reach', 'held'] as const;

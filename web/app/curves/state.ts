@@ -8,7 +8,7 @@ import type { CurveGizmo } from '../../tools/curves/gizmo-drag';
 import { type Grip, gripOf } from '../../tools/curves/items';
 import type { Mat4 } from '../../tools/geometry';
 import type { Line } from '../../tools/stroke/polyline';
-import type { Blending } from '../blend-sync';
+import type { Moving } from '../motion-sync';
 import type { State } from '../state';
 import { ContoursState } from './contours/state';
 
@@ -20,14 +20,14 @@ export interface CurvesFigures {
   readonly crossings: { readonly before: number; readonly after: number } | null;
 }
 
-export class CurvesState implements Blending {
+export class CurvesState implements Moving {
   /** The open step while it is one of curves. */
   readonly step: ReadonlySignal<CurvesStep | undefined>;
   readonly grip: ReadonlySignal<Grip | null>;
   /** What dragging a control point does. */
   readonly gizmo = signal<CurveGizmo>('move');
-  readBack: Blending['readBack'] = () => null;
-  readonly blends = signal(false);
+  readBack: Moving['readBack'] = () => null;
+  readonly movable = signal(false);
   /** What strokes become. */
   readonly kind = signal<'skeleton' | 'surface'>('skeleton');
   /** A drag moves the chain up to the point. */

@@ -12,7 +12,7 @@ import { IDENTITY, transform } from '../../tools/geometry';
 import { INNER_LINES } from '../../view/overlays/control-lines';
 import type { ControlLine } from '../../view/overlays/types';
 import type { GizmoMode, RegionPaint, ViewportPort } from '../../view/types';
-import { syncBlend } from '../blend-sync';
+import { syncMotion } from '../motion-sync';
 import { PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
@@ -48,7 +48,7 @@ export function mountCurves(
     effect(() =>
       lines.port.setLines(own.contours.on.value ? [] : [...curvesShown(own), ...strokeShown(own)]),
     ),
-    syncBlend(viewport, evaluator, own),
+    syncMotion(viewport, evaluator, own),
     effect(() => {
       const evaluation = evaluator.result.value;
       const step = own.step.value;

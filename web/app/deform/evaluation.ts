@@ -20,7 +20,7 @@ type Motions = LastMade<IsolineDrag['prepared'], IsolineMotion>;
 /** From so many vertices on a solve a frame cannot keep up with the hand, whatever the machine. */
 const LARGE = 60_000;
 
-export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<DeformStep> {
+export function deformStrategy(own: Pick<DeformState, 'movable'>): Strategy<DeformStep> {
   const motions: Motions = new LastMade();
   return {
     busy: 'busy.preparing',
@@ -31,7 +31,7 @@ export function deformStrategy(own: Pick<DeformState, 'blends'>): Strategy<Defor
     async run(request, evaluating) {
       const { step, live } = request;
       if (step.handles.length === 0) return untouched(request, evaluating);
-      if (live && own.blends.peek() && goesByIsolines(step, evaluating)) {
+      if (live && own.movable.peek() && goesByIsolines(step, evaluating)) {
         const moved = await dragged(request, evaluating, motions);
         if (moved) return moved;
       }
@@ -95,7 +95,7 @@ async function dragged(
     inputs: [shown],
     shown,
     positions: known?.positions ?? shown.model.positions,
-    blend: { motion, table: drag.offsets },
+    moved: { motion, table: drag.offsets },
     report: known?.report ?? null,
     settled: false,
   };

@@ -4,7 +4,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import { stepOf } from '../../recipe/edit';
 import type { DeformStep } from '../../recipe/recipe';
 import type { GizmoMode } from '../../view/types';
-import type { Blending } from '../blend-sync';
+import type { Moving } from '../motion-sync';
 import type { State } from '../state';
 
 /** Lines of the selected handle's harmonic field, the field itself, or how rigid the surface stays (Isolines fig. 1-4). */
@@ -23,11 +23,11 @@ export interface WhatItDid {
   readonly handles: number;
 }
 
-export class DeformState implements Blending {
+export class DeformState implements Moving {
   /** The open step while it is one that deforms. */
   readonly step: ReadonlySignal<DeformStep | undefined>;
-  readBack: Blending['readBack'] = () => null;
-  readonly blends = signal(false);
+  readBack: Moving['readBack'] = () => null;
+  readonly movable = signal(false);
   readonly gizmo = signal<GizmoMode>('translate');
   readonly heat = signal(false);
   /** What of the isoline method is drawn on the surface. */

@@ -10,7 +10,7 @@ export function deformStatus(
   own: DeformState,
   key: (command: string) => string,
 ): string {
-  if (evaluator.result.value?.blend) return t('status.isolines');
+  if (evaluator.result.value?.moved) return t('status.isolines');
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   switch (state.tool.value) {
     case 'select':

@@ -10,8 +10,8 @@ import { PointTool } from '../../tools/deform/point-tool';
 import { SelectTool } from '../../tools/deform/select-tool';
 import { MARKERS } from '../../view/overlays/markers';
 import type { RegionPaint, ViewportPort } from '../../view/types';
-import { syncBlend } from '../blend-sync';
 import type { Evaluation } from '../evaluated';
+import { syncMotion } from '../motion-sync';
 import { listed, PaintedRegions } from '../painted-regions';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
@@ -37,7 +37,7 @@ export function mountDeform(viewport: ViewportPort, parts: Parts, own: DeformSta
     return id === step.id && model === step.model ? { evaluation, step } : null;
   };
   const stops = [
-    syncBlend(viewport, evaluator, own),
+    syncMotion(viewport, evaluator, own),
     syncIsolines(viewport, parts, own),
     effect(() => {
       const { item: selected } = state.selection.value;

@@ -2,10 +2,11 @@
 // handles of both.
 
 import { effect } from '@preact/signals';
+import { holds } from '../../core/vertex-set';
 import type { DeformHandle } from '../../recipe/recipe';
 import type { ModelResult } from '../../run/types';
 import { pointAt } from '../../tools/geometry';
-import { counterpartAt, holds } from '../../tools/transfer/edits';
+import { counterpartAt } from '../../tools/transfer/edits';
 import { PairTool } from '../../tools/transfer/pair-tool';
 import { PickTool } from '../../tools/transfer/pick-tool';
 import { MARKERS } from '../../view/overlays/markers';

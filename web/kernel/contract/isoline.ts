@@ -61,7 +61,7 @@ export interface IsolineFrame {
 export interface IsolinePose extends Omit<IsolineFrame, 'seconds'> {
   /** 3 per source vertex. */
   readonly positions: Float64Array;
-  readonly seconds: { readonly perIteration: number; readonly blend: number; readonly settle: number };
+  readonly seconds: { readonly perIteration: number; readonly apply: number; readonly settle: number };
 }
 
 /** What a blend on the graphics card needs once: per source vertex, vertex by vertex. */

@@ -11,6 +11,7 @@ import { modelHandlers } from './model';
 import { Registry } from './registry';
 import { sketchHandlers } from './sketch';
 import { transferHandlers } from './transfer';
+import { wearHandlers } from './wear';
 
 /** One line per wing: the registry of this floor. */
 export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
@@ -23,6 +24,7 @@ export function createHandlers(wasm: KernelModule, epoch: number): Handlers {
     ...hairHandlers(wasm, registry),
     ...transferHandlers(wasm, registry),
     ...matchHandlers(wasm, registry),
+    ...wearHandlers(wasm, registry),
     ...curveHandlers(wasm, registry),
     ...sketchHandlers(wasm, registry),
     ...contourHandlers(wasm, registry),

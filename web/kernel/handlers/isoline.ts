@@ -50,7 +50,7 @@ export function isolineHandlers(wasm: KernelModule, registry: Registry): Handler
         positions,
         seconds: {
           ...seconds,
-          blend: settle ? 0 : last,
+          apply: settle ? 0 : last,
           settle: settle ? (prepared - started) / 1000 + last : 0,
         },
       };

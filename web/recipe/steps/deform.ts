@@ -2,6 +2,7 @@ import * as v from 'valibot';
 import { MAX_HANDLES } from '../limits';
 import {
   index,
+  itemName,
   list,
   listUpTo,
   matrix,
@@ -13,7 +14,7 @@ import {
 } from '../schema-parts';
 
 const label = {
-  name: v.optional(v.pipe(v.string(), v.maxLength(64, 'a name of at most 64 characters'))),
+  name: v.optional(itemName),
   hidden: v.optional(v.boolean()),
 };
 

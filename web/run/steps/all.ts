@@ -1,7 +1,9 @@
 import type { Step, StepOf, StepType } from '../../recipe/recipe';
 import type { Capacities } from '../session';
+import { blendRunner } from './blend';
 import { curvesRunner } from './curves';
 import { deformRunner } from './deform';
+import { dressRunner } from './dress';
 import { hairRunner } from './hair';
 import { matchRunner } from './match';
 import { mergeRunner } from './merge';
@@ -16,6 +18,8 @@ const runners = {
   transfer: transferRunner,
   curves: curvesRunner,
   match: matchRunner,
+  blend: blendRunner,
+  dress: dressRunner,
 } satisfies { readonly [T in StepType]: StepRunner<StepOf<T>> };
 
 export const runnerOf = (step: Step): StepRunner<Step> => runners[step.type] as StepRunner<Step>;

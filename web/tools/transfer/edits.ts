@@ -1,6 +1,6 @@
 // Pure edits of a transfer step's counterparts. A vertex belongs to one of them at most.
 
-import { fromIndices, isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
+import { fromIndices, holds, isEmpty, toIndices } from '../../core/vertex-set';
 import type { DeformHandle, TransferStep } from '../../recipe/recipe';
 
 /** The step whose counterpart of handle `index` is exactly `vertices`, of the model's `count`; they leave the others. */
@@ -23,12 +23,6 @@ export function setCounterpart(
 /** Number of the counterpart that holds a vertex; −1 if none does. */
 export const counterpartAt = ({ handles }: Pick<TransferStep, 'handles'>, vertex: number): number =>
   handles.findIndex((set) => holds(set, vertex));
-
-export function holds(set: VertexSet, vertex: number): boolean {
-  if (set === 'all') return true;
-  if ('ranges' in set) return set.ranges.some(([first, last]) => first <= vertex && vertex <= last);
-  return set.includes(vertex);
-}
 
 /** Numbers of the handles that both models have, and of those that only the pose has. */
 export function pairing(

@@ -1,7 +1,7 @@
 // Icons come from Lucide, as they are shipped; the set in use is listed here so that the build keeps no other.
 
 const files = import.meta.glob<string>(
-  '../../../node_modules/lucide-static/icons/{mouse-pointer-2,paintbrush,grab,circle-dot,move,rotate-3d,scale-3d,undo-2,redo-2,share-2,download,upload,folder-open,save,eye,eye-off,trash-2,x,circle-help,keyboard,command,settings,sun,moon,grid-3x3,maximize,box,layers,plus,minus,chevron-down,chevron-right,check,triangle-alert,info,circle-x,link,images,sparkles,panel-right,menu,search,rotate-ccw,copy,file-box,eraser,crosshair,flip-horizontal-2,thermometer,spline,combine,scissors,camera,loader-circle,circle,history,focus,palette,pencil,split,ribbon,user-round,dices,map-pin,highlighter,tag,person-standing,move-horizontal,copy-plus,bone,pen-line,play,square,unlink,feather,waves,pin,git-compare-arrows,flag,shapes,refresh-cw,ellipsis}.svg',
+  '../../../node_modules/lucide-static/icons/{mouse-pointer-2,paintbrush,grab,circle-dot,move,rotate-3d,scale-3d,undo-2,redo-2,share-2,download,upload,folder-open,save,eye,eye-off,trash-2,x,circle-help,keyboard,command,settings,sun,moon,grid-3x3,maximize,box,layers,plus,minus,chevron-down,chevron-right,check,triangle-alert,info,circle-x,link,images,sparkles,panel-right,menu,search,rotate-ccw,copy,file-box,eraser,crosshair,flip-horizontal-2,thermometer,spline,combine,scissors,camera,loader-circle,circle,history,focus,palette,pencil,split,ribbon,user-round,dices,map-pin,highlighter,tag,person-standing,move-horizontal,move-vertical,copy-plus,bone,pen-line,play,square,unlink,feather,waves,pin,triangle,ruler,shirt,equal,sigma,lock,lock-open,chevron-up,ghost,git-compare-arrows,flag,shapes,refresh-cw,ellipsis}.svg',
   { query: '?raw', import: 'default', eager: true },
 );
 

@@ -11,17 +11,19 @@ interface Props {
   name: string;
   icon: string;
   selected: boolean;
-  hidden: boolean;
+  hidden?: boolean;
   /** A word or a number at the end of the line. */
   children?: ComponentChildren;
   onSelect: () => void;
   onRename: (name: string) => void;
-  onHide: (hidden: boolean) => void;
+  /** Left out: it cannot be hidden. */
+  onHide?: (hidden: boolean) => void;
   onRemove: () => void;
 }
 
 /** One line of a list of things a person has made: a click selects it, a double click renames it. */
-export function ItemRow({ name, icon, selected, hidden, children, ...act }: Props) {
+export function ItemRow({ name, icon, selected, hidden = false, children, ...act }: Props) {
+  const { onHide } = act;
   const [renaming, setRenaming] = useState(false);
   return (
     <li class={selected ? 'row selected' : 'row'}>
@@ -63,13 +65,15 @@ export function ItemRow({ name, icon, selected, hidden, children, ...act }: Prop
           onClick={() => setRenaming(true)}
         />
       )}
-      <Button
-        icon={hidden ? 'eye-off' : 'eye'}
-        iconOnly
-        pressed={hidden}
-        label={t('ui.item.hide', { name })}
-        onClick={() => act.onHide(!hidden)}
-      />
+      {onHide && (
+        <Button
+          icon={hidden ? 'eye-off' : 'eye'}
+          iconOnly
+          pressed={hidden}
+          label={t('ui.item.hide', { name })}
+          onClick={() => onHide(!hidden)}
+        />
+      )}
       <Button icon="trash-2" iconOnly label={t('ui.item.remove', { name })} onClick={act.onRemove} />
     </li>
   );

@@ -1,7 +1,7 @@
 // A pose of curves as the graphics card takes it: places along the curves once, a table a move.
 
 import type { CurveAttributes } from '../../kernel/contract/curve';
-import type { MotionTable, PackedMotion, SurfaceMotion } from '../blend/types';
+import type { MotionTable, PackedMotion, SurfaceMotion } from '../motion/types';
 import type { ViewSpace } from '../view-space';
 import { CURVE_GLSL, ROWS, TEXELS } from './curve-glsl';
 

@@ -1,6 +1,6 @@
 // A drag by isolines as the graphics card takes it: fields once, transformations a move.
 
-import type { MotionTable, PackedMotion, SurfaceMotion } from '../blend/types';
+import type { MotionTable, PackedMotion, SurfaceMotion } from '../motion/types';
 import type { ViewSpace } from '../view-space';
 import { isolineGlsl } from './isoline-glsl';
 import type { IsolineSurface } from './types';

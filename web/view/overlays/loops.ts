@@ -13,6 +13,7 @@ const WHITE = '#ffffff';
 
 /** Closed lines on the model; they show faintly through what lies in front of them. */
 class LoopLines implements Layer, LoopsPort {
+  readonly aid = true;
   readonly #lines = new SegmentLines({ hidden: 0.25, order: 14 });
   #shown: readonly LoopLine[] = [];
   #space = ViewSpace.identity;

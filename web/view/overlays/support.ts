@@ -1,9 +1,8 @@
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, Group, Mesh, ShaderMaterial } from 'three';
+import { BufferAttribute, BufferGeometry, Group, Mesh } from 'three';
 import type { Layer, LayerContext, LayerKind } from '../layer';
 import { ViewSpace } from '../view-space';
+import { glass } from './glass';
 import type { SupportPort, SupportSurface } from './types';
-
-const COLOUR = '#4f8cff';
 
 /** The surface that strokes fall on. */
 class SupportOverlay implements Layer, SupportPort {
@@ -54,31 +53,3 @@ export const SUPPORT: LayerKind<SupportPort> = {
   id: 'support',
   make: (context) => new SupportOverlay(context),
 };
-
-/** Glass: clearest where one looks straight through it. */
-function glass(): ShaderMaterial {
-  return new ShaderMaterial({
-    transparent: true,
-    depthWrite: false,
-    side: DoubleSide,
-    toneMapped: false,
-    uniforms: { colour: { value: new Color(COLOUR).convertLinearToSRGB() } },
-    vertexShader: /* glsl */ `
-      varying vec3 vNormal_;
-      varying vec3 vEye;
-      void main() {
-        vec4 seen = modelViewMatrix * vec4(position, 1.0);
-        vNormal_ = normalMatrix * normal;
-        vEye = isOrthographic ? vec3(0.0, 0.0, 1.0) : -seen.xyz;
-        gl_Position = projectionMatrix * seen;
-      }`,
-    fragmentShader: /* glsl */ `
-      uniform vec3 colour;
-      varying vec3 vNormal_;
-      varying vec3 vEye;
-      void main() {
-        float facing = abs(dot(normalize(vNormal_), normalize(vEye)));
-        gl_FragColor = vec4(mix(vec3(1.0), colour, 0.75), mix(0.5, 0.16, facing));
-      }`,
-  });
-}

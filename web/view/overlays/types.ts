@@ -148,3 +148,20 @@ export interface SupportSurface {
 export interface SupportPort {
   setSupport(surface: SupportSurface | null): void;
 }
+
+/** Another model, drawn where it is. */
+export interface Companion {
+  readonly id: string;
+  readonly positions: Float64Array;
+  readonly triangles: Uint32Array;
+  /** What is worn, or what was there before: one looks through that. */
+  readonly look: 'cloth' | 'ghost';
+  /** Of which of a few colours cloth is. */
+  readonly dye?: number;
+  /** Cloth coloured by a value per vertex, with the perceptual map. */
+  readonly heat?: { readonly values: Float32Array; readonly range: readonly [number, number] } | undefined;
+}
+
+export interface CompanionsPort {
+  setCompanions(companions: readonly Companion[]): void;
+}

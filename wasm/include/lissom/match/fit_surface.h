@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lissom/mesh/corner_weights.h"
 #include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/triangle_tree.h"
 #include "lissom/mesh/types.h"
@@ -63,9 +64,6 @@ private:
     std::vector<char> ignored_; ///< vertices; empty: none
     TriangleTree tree_, border_tree_;
 };
-
-/// Weights of a triangle's corners at a place on it, summing to 1.
-[[nodiscard]] Eigen::Vector3d corner_weights(const TriangleMesh& mesh, int triangle, const Eigen::Vector3d& place);
 
 /// Unit normals of triangles; zero without area.
 [[nodiscard]] Points triangle_normals(const TriangleMesh& mesh);

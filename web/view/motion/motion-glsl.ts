@@ -1,7 +1,7 @@
 // The pass around a motion: what is moved, and how far it has come to where it goes.
 
 /** Writes drawn places and normals of the moved surface; draws nothing. @param motion  defines `moved` */
-export const blendVertex = (motion: string): string => /* glsl */ `#version 300 es
+export const motionVertex = (motion: string): string => /* glsl */ `#version 300 es
 precision highp float;
 precision highp int;
 precision highp usampler2D;
@@ -11,7 +11,7 @@ layout(location = 1) in vec3 facing;
 // Where the surface is on its way to, and how far it has come.
 layout(location = 2) in vec3 wantedPlace;
 layout(location = 3) in vec3 wantedFacing;
-uniform float blendArrival;
+uniform float motionArrival;
 out vec3 movedPlace;
 out vec3 movedNormal;
 
@@ -25,15 +25,15 @@ vec3 turned(mat3 derivative, vec3 normal) {
 ${motion}
 void main() {
   moved(place, facing, movedPlace, movedNormal);
-  if (blendArrival > 0.0) {
-    movedPlace = mix(movedPlace, wantedPlace, blendArrival);
-    movedNormal = normalize(mix(movedNormal, wantedFacing, blendArrival) + 1e-9 * movedNormal);
+  if (motionArrival > 0.0) {
+    movedPlace = mix(movedPlace, wantedPlace, motionArrival);
+    movedNormal = normalize(mix(movedNormal, wantedFacing, motionArrival) + 1e-9 * movedNormal);
   }
 }
 `;
 
 /** A program has one. */
-export const BLEND_FRAGMENT = /* glsl */ `#version 300 es
+export const MOTION_FRAGMENT = /* glsl */ `#version 300 es
 precision lowp float;
 void main() {}
 `;

@@ -2,20 +2,20 @@ import { Group, MathUtils } from 'three';
 import type { Layer, LayerContext, LayerKind } from '../layer';
 import type { ModelView } from '../model-view';
 import { ViewSpace } from '../view-space';
-import { SurfaceBlend } from './surface-blend';
-import type { BlendPort, MotionTable, SurfaceMotion } from './types';
+import { MovedSurface } from './moved-surface';
+import type { MotionPort, MotionTable, SurfaceMotion } from './types';
 
 /** Milliseconds from how a drag was shown to its result: long enough to be seen as one movement, too short to wait for. */
 const ARRIVAL = 160;
 
 /** Moves the model on screen by a small table, all its vertices on the graphics card. */
-class BlendLayer implements Layer, BlendPort {
+class MotionLayer implements Layer, MotionPort {
   readonly group = new Group();
   #space = ViewSpace.identity;
   #model: ModelView | undefined;
   #motion: SurfaceMotion | null = null;
   #table: MotionTable | null = null;
-  #blend: SurfaceBlend | null = null;
+  #moved: MovedSurface | null = null;
   /** Another number, another movement: what is under way ends. */
   #arrivals = 0;
 
@@ -35,7 +35,7 @@ class BlendLayer implements Layer, BlendPort {
     this.#motion = motion;
     this.#table = null;
     this.#make();
-    return this.#blend !== null;
+    return this.#moved !== null;
   }
 
   move(table: MotionTable | null): void {
@@ -46,15 +46,15 @@ class BlendLayer implements Layer, BlendPort {
   }
 
   arrive(): void {
-    const [blend, model, table] = [this.#blend, this.#model, this.#table];
+    const [moved, model, table] = [this.#moved, this.#model, this.#table];
     const still = this.context.test || window.matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (!blend || !model || !table || this.#motion?.exact || still) {
+    if (!moved || !model || !table || this.#motion?.exact || still) {
       this.move(null);
       return;
     }
     const own = ++this.#arrivals;
     const started = performance.now();
-    blend.goTo(model.drawn());
+    moved.goTo(model.drawn());
     const go = () => {
       if (own !== this.#arrivals) return;
       const share = (performance.now() - started) / ARRIVAL;
@@ -69,9 +69,9 @@ class BlendLayer implements Layer, BlendPort {
     go();
   }
 
-  readBack(): ReturnType<BlendPort['readBack']> {
-    if (!this.#blend || !this.#model) return null;
-    const { places, normals } = this.#blend.read();
+  readBack(): ReturnType<MotionPort['readBack']> {
+    if (!this.#moved || !this.#model) return null;
+    const { places, normals } = this.#moved.read();
     return { positions: this.#model.space.toModelAll(places), normals };
   }
 
@@ -79,7 +79,7 @@ class BlendLayer implements Layer, BlendPort {
     // What was held is gone with the context.
     this.#arrivals++;
     this.#model?.drawOwn();
-    this.#blend = null;
+    this.#moved = null;
     this.#make();
     this.#show();
   }
@@ -96,7 +96,7 @@ class BlendLayer implements Layer, BlendPort {
     const packed = motion.packed(model.space, renderer.capabilities.maxTextureSize);
     if (!packed) return;
     const gl = renderer.getContext() as WebGL2RenderingContext;
-    this.#blend = new SurfaceBlend(gl, packed, model.drawnAt(model.model.positions));
+    this.#moved = new MovedSurface(gl, packed, model.drawnAt(model.model.positions));
     renderer.resetState();
   }
 
@@ -104,26 +104,26 @@ class BlendLayer implements Layer, BlendPort {
   #show(arrival = 0): void {
     const { renderer } = this.context;
     const model = this.#model;
-    if (!this.#blend || !model) return;
+    if (!this.#moved || !model) return;
     if (!this.#table) {
       model.drawOwn();
       return;
     }
-    this.#blend.move(this.#table, arrival);
+    this.#moved.move(this.#table, arrival);
     renderer.resetState();
-    model.drawOther(this.#blend.position, this.#blend.normal);
+    model.drawOther(this.#moved.position, this.#moved.normal);
   }
 
   #drop(): void {
     this.#arrivals++;
     this.#model?.drawOwn();
-    this.#blend?.dispose();
-    if (this.#blend) this.context.renderer.resetState();
-    this.#blend = null;
+    this.#moved?.dispose();
+    if (this.#moved) this.context.renderer.resetState();
+    this.#moved = null;
   }
 }
 
-export const BLEND: LayerKind<BlendPort> = {
-  id: 'blend',
-  make: (context) => new BlendLayer(context),
+export const MOTION: LayerKind<MotionPort> = {
+  id: 'motion',
+  make: (context) => new MotionLayer(context),
 };

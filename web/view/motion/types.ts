@@ -24,7 +24,7 @@ export interface PackedMotion {
   readonly textures: readonly MotionTexture[];
   /** A float texture of four numbers a texel. */
   readonly table: { readonly name: string; readonly width: number; readonly height: number };
-  /** Its texels for a move, from what `BlendPort.move` was given. */
+  /** Its texels for a move, from what `MotionPort.move` was given. */
   readonly tableOf: (move: MotionTable) => Float32Array<ArrayBuffer>;
 }
 
@@ -44,7 +44,7 @@ export interface MotionTexture {
   readonly texels: Float32Array<ArrayBuffer> | Uint16Array<ArrayBuffer>;
 }
 
-export interface BlendPort {
+export interface MotionPort {
   /**
    * How the model on screen is moved, kept on the graphics card until another way comes, or another model.
    *

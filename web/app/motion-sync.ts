@@ -1,58 +1,58 @@
 // A drag that the graphics card moves the model by: it is given the motion once, then a small table a move.
 
 import { effect, type Signal } from '@preact/signals';
-import { BLEND } from '../view/blend/blend-layer';
-import type { BlendPort, SurfaceMotion } from '../view/blend/types';
+import { MOTION } from '../view/motion/motion-layer';
+import type { MotionPort, SurfaceMotion } from '../view/motion/types';
 import type { ViewportPort } from '../view/types';
 import type { EvaluatorPort } from './evaluated';
 
 /** What a wing whose drags go so knows of it. */
-export interface Blending {
+export interface Moving {
   /** Whether the graphics card can move the model. */
-  readonly blends: Signal<boolean>;
-  /** For tests: what the graphics card makes of the model, see `BlendPort`. */
-  readBack: BlendPort['readBack'];
+  readonly movable: Signal<boolean>;
+  /** For tests: what the graphics card makes of the model, see `MotionPort`. */
+  readBack: MotionPort['readBack'];
 }
 
 /** @returns the function that ends it */
-export function syncBlend(
+export function syncMotion(
   viewport: ViewportPort,
   { result }: Pick<EvaluatorPort, 'result'>,
-  own: Blending,
+  own: Moving,
 ): () => void {
-  const { port, unmount } = viewport.mount(BLEND);
+  const { port, unmount } = viewport.mount(MOTION);
   let held: SurfaceMotion | null = null;
   let model: object | null = null;
   /** On screen when the card could not hold a motion: the next one may be smaller. */
   let tooMuch: object | null = null;
-  const { blends } = own;
-  blends.value = true;
+  const { movable } = own;
+  movable.value = true;
   own.readBack = () => port.readBack();
   const stop = effect(() => {
     const shown = result.value;
-    const blend = shown?.blend ?? null;
+    const moved = shown?.moved ?? null;
     if (tooMuch && shown && shown.shown.opened !== tooMuch) {
       tooMuch = null;
-      blends.value = true;
+      movable.value = true;
     }
-    if (!shown || !blend) {
+    if (!shown || !moved) {
       port.arrive();
       return;
     }
     // With another model on screen the card has let go of the motion.
-    if (held !== blend.motion || model !== shown.shown.opened) {
-      held = blend.motion;
+    if (held !== moved.motion || model !== shown.shown.opened) {
+      held = moved.motion;
       model = shown.shown.opened;
       if (!port.setMotion(held)) {
         tooMuch = model;
-        blends.value = false;
+        movable.value = false;
       }
     }
-    port.move(blend.table);
+    port.move(moved.table);
   });
   return () => {
     stop();
-    blends.value = false;
+    movable.value = false;
     own.readBack = () => null;
     unmount();
   };

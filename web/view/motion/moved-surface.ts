@@ -3,7 +3,7 @@
 
 import { GLBufferAttribute } from 'three';
 import type { DrawnShape } from '../model-view';
-import { BLEND_FRAGMENT, blendVertex } from './blend-glsl';
+import { MOTION_FRAGMENT, motionVertex } from './motion-glsl';
 import type { MotionTable, MotionTexture, PackedMotion, VertexInput } from './types';
 
 const VARYINGS = ['movedPlace', 'movedNormal'];
@@ -11,7 +11,7 @@ const VARYINGS = ['movedPlace', 'movedNormal'];
 const REST = 0;
 const WANTED = 2;
 
-export class SurfaceBlend {
+export class MovedSurface {
   /** What the last pass wrote. */
   readonly position: GLBufferAttribute;
   readonly normal: GLBufferAttribute;
@@ -34,8 +34,8 @@ export class SurfaceBlend {
     rest: DrawnShape,
   ) {
     this.#count = rest.places.length / 3;
-    this.#program = link(gl, blendVertex(motion.glsl));
-    this.#arrival = gl.getUniformLocation(this.#program, 'blendArrival');
+    this.#program = link(gl, motionVertex(motion.glsl));
+    this.#arrival = gl.getUniformLocation(this.#program, 'motionArrival');
     this.#vertices = gl.createVertexArray();
     this.#read = [...this.#feed(rest, REST), ...motion.inputs.map((input) => this.#input(input))];
     this.#written = [rest.places, rest.normals].map((array) => filled(gl, array, gl.DYNAMIC_COPY));
@@ -191,7 +191,7 @@ function link(gl: WebGL2RenderingContext, vertex: string): WebGLProgram {
   const program = gl.createProgram();
   for (const [type, source] of [
     [gl.VERTEX_SHADER, vertex],
-    [gl.FRAGMENT_SHADER, BLEND_FRAGMENT],
+    [gl.FRAGMENT_SHADER, MOTION_FRAGMENT],
   ] as const) {
     const shader = gl.createShader(type)!;
     gl.shaderSource(shader, source);
@@ -203,6 +203,6 @@ function link(gl: WebGL2RenderingContext, vertex: string): WebGLProgram {
   gl.transformFeedbackVaryings(program, VARYINGS, gl.SEPARATE_ATTRIBS);
   gl.linkProgram(program);
   if (!gl.getProgramParameter(program, gl.LINK_STATUS) && !gl.isContextLost())
-    throw new Error(`The blend cannot be compiled: ${gl.getProgramInfoLog(program)}`);
+    throw new Error(`The motion cannot be compiled: ${gl.getProgramInfoLog(program)}`);
   return program;
 }

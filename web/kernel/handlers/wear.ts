@@ -1,0 +1,28 @@
+import type { KernelModule } from '../../../wasm/bindings/kernel';
+import type { WearKernel } from '../contract/wear';
+import type { HandlersOf } from '../serve';
+import { prepared } from './prepared';
+import type { Registry } from './registry';
+
+/** Blends and garments: prepared in slices, then asked again and again. */
+export function wearHandlers(wasm: KernelModule, registry: Registry): HandlersOf<WearKernel> {
+  return {
+    prepareBlend: ({ triangles, positions, parts }, job) =>
+      prepared(new wasm.BlendSession(triangles, positions, parts), job, registry, wasm),
+
+    blend: ({ blend, weights, measures }) => registry.get(blend, wasm.BlendSession).blend(weights, measures),
+
+    prepareDress({ garment, triangles, from, to, model }, job) {
+      const session = new wasm.DressSession(
+        registry.get(garment, wasm.WorkingMesh),
+        triangles,
+        from,
+        to,
+        model === undefined ? null : registry.get(model, wasm.WorkingMesh),
+      );
+      return prepared(session, job, registry, wasm);
+    },
+
+    dress: ({ dress, offset }) => registry.get(dress, wasm.DressSession).dress(offset),
+  };
+}
