@@ -153,7 +153,7 @@ export class FakeKernel implements KernelPort {
         markerError: 0,
         iterations: 1,
         warnings: [],
-        seconds: { start: 0, carry: 0, fine: 0, connectivity: 0, report: 0 },
+        seconds: { start: 0, carry: 0, fine: 0, connectivity: 0, sharp: 0, report: 0 },
         peakBytes: 1,
       };
     },
