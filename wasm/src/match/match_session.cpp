@@ -19,6 +19,7 @@
 #include <deque>
 #include <limits>
 #include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -43,6 +44,9 @@ constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
+constexpr double k_coincide = 0.05; // of L: markers nearer to one another are the same
+constexpr double k_posed = 0.25; // misfit of the similarity: heads 0.11, bodies in one pose 0.05, walking 0.43
+constexpr double k_one_sided = 0.02; // of the size, beyond the middle
 constexpr double k_held_back = 1e-3; // of L: rounding is less
 constexpr double k_snap = 0.5; // of L: a marker so near to a sharp curve is meant to be on it
 constexpr double k_off_surface = 0.01; // of the size: a marker farther from its model is worth a word
@@ -68,6 +72,31 @@ void check_curves(const std::vector<MatchModel>& models) {
                 throw InvalidInput("bad-curve", "Marker curve " + std::to_string(c + 1) + " has no length, or a coordinate that is not a finite number. Draw it again.");
         }
     }
+}
+
+/// What nothing can be right about whatever the markers are: codes of what a source and a target differ in.
+std::vector<const char*> differences(const PlacedModel& a, const PlacedModel& b) {
+    std::vector<const char*> found;
+    if (a.is_loose() || b.is_loose()) return found; // pieces, holes and tunnels of these mean nothing
+    const WorkingMesh &s = a.working, &t = b.working;
+    if (s.component_count != t.component_count) found.push_back("pieces-differ");
+    if (s.closed != t.closed) found.push_back("borders-differ");
+    const auto tunnels = [](const WorkingMesh& m) { return 2 * m.component_count - m.boundary_loop_count - m.euler_characteristic; };
+    if (s.oriented && t.oriented && s.component_count == t.component_count && tunnels(s) != tunnels(t)) found.push_back("genus-differs");
+    return found;
+}
+
+/// Whether a plane through a place has all markers on one side of it, by some margin: a perceptron.
+bool one_sided(const Points& markers, double margin) {
+    constexpr int rounds = 200;
+    Vector3d direction = markers.colwise().mean();
+    for (int round = 0; round < rounds; ++round) {
+        Eigen::Index worst = 0;
+        const double least = (markers * direction).minCoeff(&worst);
+        if (least > margin * direction.norm()) return true;
+        direction += markers.row(worst).transpose();
+    }
+    return false;
 }
 
 /// What a model is called in a sentence.
@@ -121,6 +150,7 @@ struct MatchSession::State {
     int iteration = 0, model = 1; ///< which skin the next slice is about
     ConnectivityChange changes{};
     std::vector<int> refused; ///< steps, per model
+    std::vector<int> used_marker{}; ///< per marker that was given, the number of the one that stands for it
     bool full = false, settled = false; ///< no more splits; no more changes of edges
     std::vector<MatchWarning> warnings{};
     MatchSeconds seconds{};
@@ -149,10 +179,40 @@ struct MatchSession::State {
         if (off.count > 0) warnings.push_back(std::move(off));
     }
 
+    /// Of markers that coincide on any model only the first is used: a vertex cannot be at two places, nor two at one.
+    void leave_out_coinciding() {
+        const Eigen::Index n = source().markers.rows();
+        std::vector<Eigen::Index> used;
+        for (int k = 0; k < count(); ++k) {
+            MatchWarning same{"markers-coincide", k, 0, {}};
+            const Points& markers = models[static_cast<std::size_t>(k)].markers;
+            for (Eigen::Index i = 0; i < n; ++i)
+                for (Eigen::Index j = 0; j < i; ++j)
+                    if ((markers.row(i) - markers.row(j)).norm() < k_coincide * edges.edge_length) {
+                        ++same.count;
+                        if (same.examples.size() + 2 <= 8) same.examples.insert(same.examples.end(), {static_cast<int>(j), static_cast<int>(i)});
+                        break;
+                    }
+            if (same.count > 0) warnings.push_back(std::move(same));
+        }
+        for (Eigen::Index i = 0; i < n; ++i) {
+            int stands_for = static_cast<int>(used.size());
+            for (std::size_t u = 0; u < used.size() && stands_for == std::ssize(used); ++u)
+                for (const Fitted& each : models)
+                    if ((each.markers.row(i) - each.markers.row(used[u])).norm() < k_coincide * edges.edge_length) stands_for = static_cast<int>(u);
+            if (stands_for == std::ssize(used)) used.push_back(i);
+            used_marker.push_back(stands_for);
+        }
+        for (Fitted& each : models) each.markers = Points(each.markers(used, Eigen::all));
+    }
+
     void align() {
         // Counted and looked at before they are brought anywhere.
         for (const Fitted& target : models) (void)align_markers(source().markers, target.markers, MatchStart::similarity);
         for (int k = 0; k < count(); ++k) bring_onto_surface(k);
+        leave_out_coinciding();
+        for (int k = 0; k < count(); ++k)
+            if (const Points& markers = models[static_cast<std::size_t>(k)].markers; markers.rows() >= 4 && one_sided(markers, k_one_sided)) warnings.push_back({"markers-one-sided", k, 1, {}});
         for (int k = 1; k < count(); ++k) {
             MarkerAlignment& found = models[static_cast<std::size_t>(k)].alignment;
             found = align_markers(source().markers, models[static_cast<std::size_t>(k)].markers, options.start);
@@ -160,6 +220,8 @@ struct MatchSession::State {
             if (found.mirrored) warn("markers-mirrored", {});
             if (found.swapped) warn("markers-swapped", {found.swapped->first, found.swapped->second});
             if (source().markers.rows() >= 4 && found.flatness < k_flat_markers) warn("markers-flat", {});
+            if (!found.mirrored && found.misfit > k_posed) warn("poses-differ", {});
+            for (const char* code : differences(source().placed, models[static_cast<std::size_t>(k)].placed)) warn(code, {});
         }
     }
 
@@ -513,9 +575,11 @@ double MatchSession::fraction() const {
 MatchResult MatchSession::result() const {
     const State& s = *state_;
     if (s.stage == State::Stage::start) throw InvalidInput("not-begun", "The match has not begun. Call step() first.");
-    MatchResult out{s.skins, std::vector<int>(static_cast<std::size_t>(s.models.front().markers.rows()), -1), s.report()};
+    MatchResult out{s.skins, {}, s.report()};
+    std::vector<int> vertex(static_cast<std::size_t>(s.models.front().markers.rows()), -1);
     for (int v = 0; v < s.skins.vertex_count(); ++v)
-        if (const int m = s.skins.marker[v]; m >= 0) out.marker_vertices[m] = v;
+        if (const int m = s.skins.marker[v]; m >= 0) vertex[m] = v;
+    for (const int m : s.used_marker) out.marker_vertices.push_back(vertex[m]);
     for (int k = 0; k < s.count(); ++k) {
         out.skins.points[static_cast<std::size_t>(k)] = positions(k);
         if (!out.skins.points[static_cast<std::size_t>(k)].allFinite()) throw SolverFailure("The match ran out of numbers: a position is not finite. Try other markers.");

@@ -66,7 +66,9 @@ struct MatchReport {
     double marker_error = 0;            ///< largest distance of a marker's vertex from its place on any skin, a share as above
     double flatness = 0;                ///< of the flattest markers
     ConnectivityChange connectivity;
-    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface),
+    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface), `markers-one-sided`,
+                                        ///< `markers-coincide` (examples: pairs; the later of each is left out), `poses-differ` (pose one like the other first), `pieces-differ`, `borders-differ` (one
+                                        ///< is open, one closed), `genus-differs`,
                                         ///< `sharp-failed` (count: curves), `sharp-held-back` (count: 1; edges that could not be brought onto their curve without crossings),
                                         ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`
     MatchSeconds seconds;
@@ -74,7 +76,7 @@ struct MatchReport {
 
 struct MatchResult {
     SkinSet skins;                    ///< in the models' own spaces
-    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is
+    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is; of markers that coincide the same
     MatchReport report;
 };
 
