@@ -282,6 +282,26 @@ TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
     (void)check("all in one place", same_from, same_to);
 }
 
+TEST_CASE("the paper's own loop: markers met, edges of all skins alike, an end; and what it cannot do is told") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.5, 3);
+    const MatchResult result = matched(a, b, some(a), some(b), {.method = MatchMethod::paper});
+    const MatchReport& report = result.report;
+    MESSAGE("paper's loop: skin to model " << report.skins[1].distances.mean_there << ", back " << report.skins[1].distances.mean_back << ", 99 % " << report.skins[1].distances.most << ", crossings "
+                                           << report.skins[1].crossings << ", folds " << report.skins[1].folds << ", " << result.skins.vertex_count() << " vertices");
+    CHECK(report.marker_error < 1e-12);
+    CHECK(report.skins[1].distances.mean_there < 5e-3);
+    CHECK(report.skins[1].distances.mean_back < 0.02);
+    CHECK(euler_characteristic(result.skins.mesh(0)) == 2);
+    CHECK(result.skins.vertex_count() <= 4 * a.vertex_count());
+    CHECK(report.connectivity.any());
+    // A box around a figure with arms: the loop ends, within the vertices allowed.
+    TriangleMesh box = shapes::box(14, 14, 14, {2.6, 2.6, 2.6});
+    box.points.col(1).array() -= 1.3;
+    const MatchResult from_box = matched(box, b, Points(0, 3), Points(0, 3), {.method = MatchMethod::paper, .most_vertices = 3000});
+    CHECK(from_box.skins.vertex_count() <= 3000);
+    CHECK(from_box.skins.points[1].allFinite());
+}
+
 TEST_CASE("masks: an arm that the target alone has is left out, an arm that the source alone has keeps its shape") {
     const TriangleMesh a = figure(0, 4);
     // The same without its first arm: pressed flat onto the ball.

@@ -4,6 +4,7 @@
 #include "lissom/match/fine_fit.h"
 #include "lissom/match/folds.h"
 #include "lissom/match/marker_curves.h"
+#include "lissom/match/particles.h"
 #include "lissom/match/skin_carrier.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
@@ -44,6 +45,9 @@ constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
+constexpr int k_particle_passes = 60;
+constexpr double k_particle_share = 0.1;   // of the edges that should change, in a pass of the paper's loop
+constexpr double k_particles_rest = 1e-3;  // of L: particles that move less in the mean have arrived
 constexpr double k_coincide = 0.05; // of L: markers nearer to one another are the same
 constexpr double k_posed = 0.25; // misfit of the similarity: heads 0.11, bodies in one pose 0.05, walking 0.43
 constexpr double k_one_sided = 0.02; // of the size, beyond the middle
@@ -133,7 +137,7 @@ struct Fitted {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { start, carry, untangle, fine, edges, relax, project, sharp, done };
+    enum class Stage { start, particles, carry, untangle, fine, edges, relax, project, sharp, done };
 
     MatchOptions options;
     std::deque<Fitted> models{}; ///< the source first
@@ -149,6 +153,7 @@ struct MatchSession::State {
     int carries = 0, carried = 0;  ///< slices of carrying: all, and done
     int iteration = 0, model = 1; ///< which skin the next slice is about
     ConnectivityChange changes{};
+    double moved = 0;         ///< the farthest mean way of a skin's particles in this pass
     std::vector<int> refused; ///< steps, per model
     std::vector<int> used_marker{}; ///< per marker that was given, the number of the one that stands for it
     bool full = false, settled = false; ///< no more splits; no more changes of edges
@@ -248,6 +253,17 @@ struct MatchSession::State {
         curves.emplace(source().curves, source().surface(), edges.edge_length);
         for (Fitted& each : models) each.curve_places = curves->on(each.curves, each.surface());
         find_masked();
+        if (options.method == MatchMethod::paper) {
+            edges.share = k_particle_share;
+            for (int k = 1; k < count(); ++k) {
+                Points& points = skins.points[static_cast<std::size_t>(k)];
+                points = models[static_cast<std::size_t>(k)].alignment(first);
+                if (!points.allFinite()) throw SolverFailure("The markers bend the source beyond all numbers. Start by a similarity.");
+                for (int v = 0; v < skins.vertex_count(); ++v)
+                    if (skins.marker[v] >= 0) points.row(v) = models[static_cast<std::size_t>(k)].markers.row(skins.marker[v]);
+            }
+            return;
+        }
         const CarrySchedule schedule = carry_schedule(static_cast<int>(source().markers.rows()));
         if (!source().sharp.empty()) {
             std::vector<int> fixed;
@@ -347,6 +363,28 @@ struct MatchSession::State {
         present_points() = at.carrier->points();
     }
 
+    /// The paper's loop: the particles of all skins in tandem, the source's among them, then their edges (Skins 3.1, lines 5 to 9).
+    void reposition() {
+        const bool on_source = model == 0;
+        std::vector<char> held = on_source ? locked_on_source() : told();
+        Points& points = present_points();
+        const Points places = repositioned({points, skins.triangles}, present().surface(), held, ParticleWeights::at(iteration));
+        const double mean = (places - points).rowwise().norm().mean();
+        moved = on_source ? mean : std::max(moved, mean);
+        points = places;
+        if (++model < count()) return;
+        ConnectivityChange change;
+        if (options.connectivity) {
+            change = improve_connectivity(skins, edges);
+            changes += change;
+            full = full || skins.vertex_count() >= edges.most_vertices;
+            find_masked();
+        }
+        settled = moved < k_particles_rest * edges.edge_length && change.sum() <= k_settled * 3 * skins.vertex_count();
+        model = 0;
+        if (++iteration == k_particle_passes || settled) finish();
+    }
+
     void mend(int k, int rounds) {
         Points& points = skins.points[static_cast<std::size_t>(k)];
         TriangleMesh mesh{std::move(points), skins.triangles};
@@ -439,7 +477,10 @@ struct MatchSession::State {
         take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
         if (next_model()) return;
         if (iteration == 0 && changes.any()) take_source_step(on_source(skins.mesh(0), k_projection_cosine));
-        if (++iteration < k_projections) return;
+        if (++iteration == k_projections) finish();
+    }
+
+    void finish() {
         next(has_sharp() ? Stage::sharp : Stage::done);
         model = 0;
     }
@@ -461,8 +502,13 @@ struct MatchSession::State {
         switch (stage) {
         case Stage::start:
             make_skins();
-            next(Stage::carry);
+            next(options.method == MatchMethod::paper ? Stage::particles : Stage::carry);
+            if (options.method == MatchMethod::paper) model = 0;
             seconds.start += watch.lap();
+            break;
+        case Stage::particles:
+            reposition();
+            seconds.fine += watch.lap();
             break;
         case Stage::carry:
             carry();
@@ -529,6 +575,7 @@ struct MatchSession::State {
             warn("step-refused", k, refused[static_cast<std::size_t>(k)]);
         }
         warn("skins-full", -1, full);
+        warn("not-settled", -1, options.method == MatchMethod::paper && stage == Stage::done && !settled);
         found.connectivity = changes;
         found.seconds = seconds;
         found.seconds.report = watch.lap();
@@ -560,6 +607,7 @@ double MatchSession::fraction() const {
     const auto fine_step = [&](double part) { return carried + (fitted - carried) * (s.iteration + part) / s.options.fine_steps; };
     switch (s.stage) {
     case State::Stage::start: return 0;
+    case State::Stage::particles: return projected * (s.iteration + static_cast<double>(s.model) / s.count()) / k_particle_passes;
     case State::Stage::carry: return carried * s.carried / s.carries;
     case State::Stage::untangle: return carried;
     case State::Stage::fine: return fine_step(of_fit * s.part_of_models());
