@@ -158,3 +158,32 @@ TEST_CASE("skins made without regard to edges find all sharp edges of a nut, a b
         CHECK(self_intersections(skin).pairs == 0);
     }
 }
+
+TEST_CASE("meshed anew with its curves, a model's sharp edges are the skin's own") {
+    for (const char* name : {"generated/out/nut", "generated/out/bracket", "generated/out/gear"}) {
+        const TriangleMesh model = figures::shared(name);
+        if (model.vertex_count() == 0) continue;
+        CAPTURE(std::string(name));
+        const double D = diagonal(model.points), L = 0.012 * D;
+        const auto curves = sharp_curves(model);
+        const auto lines = sharp_lines(model.points, curves);
+        const Remeshed out = remesh(model, {L}, curves);
+        std::vector<SharpPath> own(out.curves.size());
+        for (std::size_t k = 0; k < own.size(); ++k) {
+            own[k].curve = out.curves[k];
+            if (own[k].curve.closed) own[k].curve.vertices.push_back(own[k].curve.vertices.front());
+        }
+        const sharp_truth::Error error = sharp_truth::error(lines, out.mesh.points, own, D);
+        const SurfaceDistances apart = surface_distances(out.mesh, model);
+        MESSAGE(std::string(name) << ": " << out.mesh.vertex_count() << " vertices, sharp edges to skin edges " << 100 * error.mean << " % (most " << 100 * error.most << " %), skin to model " << apart.mean_there / D << ", back "
+                                  << apart.mean_back / D << ", folds " << count_folds(out.mesh, neighbouring_triangles(out.mesh)) << ", crossings " << self_intersections(out.mesh).pairs);
+        CHECK(error.most < 0.0005);
+        CHECK(apart.mean_there < 1e-4 * D);
+        CHECK(apart.mean_back < 1e-4 * D);
+        CHECK(self_intersections(out.mesh).pairs == 0);
+        // And found again as paths they are the same, whoever asks.
+        const SharpPaths found = find_sharp_paths(out.mesh, lines, {}, {L});
+        CHECK(found.failed.empty());
+        CHECK(sharp_truth::error(lines, out.mesh.points, found.paths, D).most < 0.0005);
+    }
+}

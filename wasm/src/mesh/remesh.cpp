@@ -37,6 +37,8 @@ constexpr double k_evening = 0.6; // of the way to the mean of the ring
 constexpr double k_same_side = 0.2; // cosine of a vertex's normal and that of the surface
 constexpr int k_by_angle = 3;       // last rounds that swap by angles
 constexpr double k_border_turn = 0.5; // cosine of 60 degrees
+/// Cosine of the turn (10 degrees) from which a curve has a kink that one of its vertices goes to.
+constexpr double k_kink = 0.985;
 constexpr int k_operations = 4;
 
 double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
@@ -49,12 +51,17 @@ double facing_cosine(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
 struct Rail {
     TriangleMesh mesh;
     std::unique_ptr<TriangleTree> tree;
+    std::vector<std::pair<double, Vector3d>> kinks; ///< cosine of the turn and place, sharpest first
 
     Rail(const TriangleMesh& of, const EdgeCurve& curve) : mesh{Points(std::ssize(curve.vertices), 3), {}} {
         const int n = static_cast<int>(curve.vertices.size());
         for (int i = 0; i < n; ++i) mesh.points.row(i) = of.points.row(curve.vertices[static_cast<std::size_t>(i)]);
         mesh.triangles.resize(curve.closed ? n : n - 1, 3);
         for (int i = 0; i < mesh.triangles.rows(); ++i) mesh.triangles.row(i) << i, (i + 1) % n, (i + 1) % n;
+        const auto at = [&](int i) -> Vector3d { return mesh.points.row((i + n) % n); };
+        for (int i = curve.closed ? 0 : 1; i < n - (curve.closed ? 0 : 1); ++i)
+            if (const double turn = -facing_cosine(at(i), at(i - 1), at(i + 1)); turn < k_kink) kinks.emplace_back(turn, at(i));
+        std::stable_sort(kinks.begin(), kinks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     }
     [[nodiscard]] Vector3d nearest(const Vector3d& p) {
         if (!tree) tree = std::make_unique<TriangleTree>(mesh); // the mesh is where it stays by now
@@ -255,8 +262,31 @@ struct Remesher::State {
         return true;
     }
 
+    /// For each kink the nearest vertex of its curve that is free to go there.
+    [[nodiscard]] std::vector<std::pair<int, Vector3d>> on_kinks() const {
+        std::vector<std::pair<int, Vector3d>> found;
+        for (std::size_t k = 0; k < rails.size(); ++k) {
+            std::set<int> gone;
+            for (const auto& [turn, place] : rails[k].kinks) {
+                int nearest = -1;
+                double least = k_infinite;
+                for (const int v : curves.curves()[k].vertices)
+                    if (const double d = (points[v] - place).norm(); d < least) {
+                        nearest = v;
+                        least = d;
+                    }
+                if (nearest < 0 || curves.is_corner(nearest) || curves.through(nearest).size() != 1 || least > lengths[nearest] || !gone.insert(nearest).second) continue;
+                found.emplace_back(nearest, place);
+            }
+        }
+        std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+        return found;
+    }
+
     void relax() {
         const int n = surgery.numbered();
+        const auto to_kinks = on_kinks();
+        auto next_kink = to_kinks.begin();
         std::vector<Vector3d> normals(points.size(), Vector3d::Zero());
         for (int v = 0; v < n; ++v)
             for (const int t : surgery.around(v)) normals[v] += normal(surgery.corners(t));
@@ -273,7 +303,9 @@ struct Remesher::State {
             if (curves.tied(v)) {
                 if (curves.through(v).size() != 1) continue;
                 to = p + k_evening * ((points[beside[v][0]] + points[beside[v][1]]) / 2 - p);
-                to = rails[static_cast<std::size_t>(curves.through(v).front())].nearest(to);
+                while (next_kink != to_kinks.end() && next_kink->first < v) ++next_kink;
+                if (next_kink != to_kinks.end() && next_kink->first == v) to = next_kink->second;
+                else to = rails[static_cast<std::size_t>(curves.through(v).front())].nearest(to);
             } else {
                 Vector3d mean = Vector3d::Zero();
                 double weights = 0;

@@ -26,7 +26,8 @@ struct Remeshed {
 /// vertex and in the last rounds towards the smaller largest angle; vertices are evened out within their tangent planes and brought back to the nearest place of the
 /// given surface that faces as they do.
 ///
-/// Curves stay: their corners and the fixed vertices do not move, their other vertices slide along them, no edge is swapped across them. So do borders, with
+/// Curves stay: their corners and the fixed vertices do not move, their other vertices slide along them, one to each kink of
+/// more than 10 degrees, no edge is swapped across them. So do borders, with
 /// corners where they turn by more than 60 degrees or meet a curve. Vertices at edges of three and more triangles, of two that disagree, and those that hold
 /// fans together stay, too.
 /// Guarded: no collapse, swap or move turns a triangle by more than some 70 degrees, or folds it onto its neighbour; nothing else is looked at, so that
