@@ -21,7 +21,14 @@ struct MatchModel {
     std::vector<std::vector<int>> sharp = {}; ///< sharp edges that are picked: chains of vertices of the file, see `sharp_curves`
 };
 
+/// By which way skins come onto their models.
+enum class MatchMethod {
+    graph, ///< node graphs, then fits of all vertices at once, without crossings
+    paper  ///< the paper's own loop, particle by particle (Eq 1, 2), with a tenth of the edges a pass: to compare. Folds and crosses itself at thin parts
+};
+
 struct MatchOptions {
+    MatchMethod method = MatchMethod::graph;
     MatchStart start = MatchStart::automatic;
     bool connectivity = true;  ///< false: the skins keep the source's triangles
     double edge_length = 0;    ///< L of the criteria, as a share of the source's size; 0: its mean edge length
@@ -66,15 +73,17 @@ struct MatchReport {
     double marker_error = 0;            ///< largest distance of a marker's vertex from its place on any skin, a share as above
     double flatness = 0;                ///< of the flattest markers
     ConnectivityChange connectivity;
-    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface),
+    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface), `markers-one-sided`,
+                                        ///< `markers-coincide` (examples: pairs; the later of each is left out), `poses-differ` (pose one like the other first), `pieces-differ`, `borders-differ` (one
+                                        ///< is open, one closed), `genus-differs`,
                                         ///< `sharp-failed` (count: curves), `sharp-held-back` (count: 1; edges that could not be brought onto their curve without crossings),
-                                        ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`
+                                        ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`, `not-settled` (the paper's loop after its last pass)
     MatchSeconds seconds;
 };
 
 struct MatchResult {
     SkinSet skins;                    ///< in the models' own spaces
-    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is
+    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is; of markers that coincide the same
     MatchReport report;
 };
 
