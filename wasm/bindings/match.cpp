@@ -25,6 +25,8 @@ lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& 
     lissom::MatchOptions options;
     if (const val start = given["start"]; !start.isUndefined())
         options.start = named<lissom::MatchStart>(start, "start", {{"automatic", lissom::MatchStart::automatic}, {"similarity", lissom::MatchStart::similarity}, {"radial", lissom::MatchStart::radial}});
+    if (const val method = given["method"]; !method.isUndefined())
+        options.method = named<lissom::MatchMethod>(method, "method", {{"graph", lissom::MatchMethod::graph}, {"paper", lissom::MatchMethod::paper}});
     read(given, "adapt", options.adapt);
     read(given, "sharpAngle", options.sharp_angle);
     read(given, "edgeLength", options.edge_length);
