@@ -302,6 +302,38 @@ TEST_CASE("the paper's own loop: markers met, edges of all skins alike, an end; 
     CHECK(from_box.skins.points[1].allFinite());
 }
 
+TEST_CASE("first skins: a remesh, a wrap around a torn source, and the paper's simple shapes") {
+    const TriangleMesh a = figure(0, 4), b = figure(0.5, 4);
+    const MatchResult even = matched(a, b, some(a), some(b), {.first = FirstSkin::remesh, .edge_length = 0.05});
+    CHECK(even.skins.vertex_count() < a.vertex_count());
+    CHECK(even.report.marker_error < 1e-12);
+    for (const SkinReport& skin : even.report.skins) {
+        CHECK(skin.crossings == 0);
+        CHECK(skin.distances.mean_there < 2e-3);
+        CHECK(skin.distances.mean_back < 2e-3);
+    }
+    const TriangleMesh torn = shapes::soup(a, 1e-4 * diagonal(a.points));
+    const MatchResult wrapped = matched(torn, b, some(a), some(b), {.first = FirstSkin::wrap, .edge_length = 0.04});
+    MESSAGE("wrapped soup: source's skin " << wrapped.report.skins[0].distances.mean_there << ", back " << wrapped.report.skins[0].distances.mean_back << ", 99 % " << wrapped.report.skins[0].distances.most
+                                           << ", target's " << wrapped.report.skins[1].distances.mean_back << ", " << wrapped.skins.vertex_count() << " vertices");
+    CHECK(boundary_loops(wrapped.skins.mesh(1)).empty());
+    CHECK(euler_characteristic(wrapped.skins.mesh(1)) == 2);
+    for (const SkinReport& skin : wrapped.report.skins) {
+        CHECK(skin.crossings == 0);
+        CHECK(skin.distances.mean_there < 2e-3);
+        CHECK(skin.distances.mean_back < 2e-3);
+    }
+    const TriangleMesh egg = shapes::bumpy_sphere(4);
+    for (const FirstSkin first : {FirstSkin::box, FirstSkin::sphere}) {
+        const MatchResult shape = matched(egg, egg, Points(0, 3), Points(0, 3), {.first = first, .edge_length = 0.05});
+        CHECK(shape.report.skins[1].distances.mean_back < 3e-3);
+        CHECK(shape.report.skins[1].crossings == 0);
+    }
+    const MatchResult ring = matched(shapes::torus(64, 32), shapes::torus(48, 24), Points(0, 3), Points(0, 3), {.first = FirstSkin::torus, .edge_length = 0.05});
+    CHECK(ring.report.skins[1].distances.mean_back < 3e-3);
+    CHECK(euler_characteristic(ring.skins.mesh(0)) == 0);
+}
+
 TEST_CASE("masks: an arm that the target alone has is left out, an arm that the source alone has keeps its shape") {
     const TriangleMesh a = figure(0, 4);
     // The same without its first arm: pressed flat onto the ball.

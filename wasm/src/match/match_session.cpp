@@ -15,6 +15,7 @@
 #include "match_report.h"
 #include "placed_model.h"
 #include "sharp_finish.h"
+#include "skin_beginning.h"
 
 #include <algorithm>
 #include <deque>
@@ -61,6 +62,7 @@ void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
     if (!(o.edge_length >= 0 && o.edge_length < 1)) refuse("The edge length is " + std::to_string(o.edge_length) + " of the source's size; it must be below 1, or 0 for its own.");
     if (o.levels < 1 || o.levels > 4) refuse("The number of levels is " + std::to_string(o.levels) + "; it must be between 1 and 4.");
     if (o.fine_steps < 1 || o.fine_steps > 60) refuse("The number of fine steps is " + std::to_string(o.fine_steps) + "; it must be between 1 and 60.");
+    if (o.genus < 0 || o.genus > 1000) refuse("The genus is " + std::to_string(o.genus) + "; it must be between 0 and 1000.");
     if (!(o.sharp_angle >= 0 && o.sharp_angle < 180)) refuse("The sharp angle is " + std::to_string(o.sharp_angle) + " degrees; it must be 0 or more and below 180.");
     if (!(o.adapt >= 0 && o.adapt <= 1)) refuse("How far lengths adapt is " + std::to_string(o.adapt) + "; it must be between 0 and 1.");
     if (o.most_vertices < 0) refuse("The most vertices a skin may have are " + std::to_string(o.most_vertices) + "; give 0 or more.");
@@ -137,11 +139,12 @@ struct Fitted {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { start, particles, carry, untangle, fine, edges, relax, project, sharp, done };
+    enum class Stage { first, start, particles, carry, untangle, fine, edges, relax, project, sharp, done };
 
     MatchOptions options;
     std::deque<Fitted> models{}; ///< the source first
 
+    std::optional<SkinBeginning> beginning{};
     SkinSet skins{};
     std::optional<MarkerCurves> curves{};
     std::vector<char> masked{}; ///< per vertex of the skins: the source ignores where it is; empty: none
@@ -149,7 +152,7 @@ struct MatchSession::State {
     std::optional<FineFit> fine{}; ///< of all skins, for it knows the triangles alone
     ConnectivityOptions edges{};
 
-    Stage stage = Stage::start;
+    Stage stage = Stage::first;
     int carries = 0, carried = 0;  ///< slices of carrying: all, and done
     int iteration = 0, model = 1; ///< which skin the next slice is about
     ConnectivityChange changes{};
@@ -230,9 +233,16 @@ struct MatchSession::State {
         }
     }
 
-    /// The source's mesh is the first skin; each marker takes the nearest vertex that is still free and moves it onto its place.
+    void begin() {
+        if (!beginning) beginning.emplace(source().placed, options.first, options.genus, edges.edge_length, options.adapt, source().sharp.curves());
+        if (beginning->step()) return;
+        warnings.insert(warnings.end(), beginning->warnings().begin(), beginning->warnings().end());
+        next(Stage::start);
+    }
+
+    /// The first skin, and what becomes of it on each model; each marker takes the nearest vertex that is still free and moves it onto its place.
     void make_skins() {
-        const TriangleMesh& mesh = source().placed.mesh();
+        const TriangleMesh& mesh = beginning->mesh();
         skins.triangles = mesh.triangles;
         skins.points.assign(models.size(), mesh.points);
         skins.marker.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
@@ -245,7 +255,7 @@ struct MatchSession::State {
                     least = d;
                     nearest = v;
                 }
-            if (nearest < 0) throw InvalidInput("marker-count", "There are more markers than the source has vertices. Remove some.");
+            if (nearest < 0) throw InvalidInput("marker-count", "There are more markers than the first skin has vertices. Remove some.");
             skins.marker[nearest] = static_cast<int>(i);
             first.row(nearest) = source().markers.row(i);
         }
@@ -265,11 +275,11 @@ struct MatchSession::State {
             return;
         }
         const CarrySchedule schedule = carry_schedule(static_cast<int>(source().markers.rows()));
-        if (!source().sharp.empty()) {
+        if (!beginning->curves().empty()) {
             std::vector<int> fixed;
             for (int v = 0; v < skins.vertex_count(); ++v)
                 if (skins.marker[v] >= 0) fixed.push_back(v);
-            skins.curves.emplace(skins.vertex_count(), source().sharp.curves(), fixed, EdgeCurves::Along::edited);
+            skins.curves.emplace(skins.vertex_count(), beginning->curves(), fixed, EdgeCurves::Along::edited);
         }
         graphs.emplace(skins.mesh(0), schedule.radius, options.levels, options.seed);
         for (int k = 1; k < count(); ++k) {
@@ -471,7 +481,10 @@ struct MatchSession::State {
     }
 
     /// The source's skin began on its model, and stays there even where that is masked.
-    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) { return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true); }
+    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) {
+        if (source().placed.is_points()) return skin.points; // a surface drawn through points is rougher than the skin
+        return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true);
+    }
 
     void project() {
         take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
@@ -500,8 +513,14 @@ struct MatchSession::State {
     void advance() {
         Stopwatch watch;
         switch (stage) {
+        case Stage::first:
+            begin();
+            seconds.start += watch.lap();
+            if (stage == Stage::first) break;
+            [[fallthrough]];
         case Stage::start:
             make_skins();
+            beginning.reset();
             next(options.method == MatchMethod::paper ? Stage::particles : Stage::carry);
             if (options.method == MatchMethod::paper) model = 0;
             seconds.start += watch.lap();
@@ -602,13 +621,15 @@ bool MatchSession::step() {
 double MatchSession::fraction() const {
     const State& s = *state_;
     // Shares of the time as measured; of a fine step where edges change as much goes into those.
-    constexpr double carried = 0.35, of_fit = 0.5;
+    const double begun = s.options.first == FirstSkin::copy ? 0 : 0.15, carried = 0.35;
+    constexpr double of_fit = 0.5;
     const double projected = s.has_sharp() ? 0.8 : 1, fitted = projected - 0.05;
     const auto fine_step = [&](double part) { return carried + (fitted - carried) * (s.iteration + part) / s.options.fine_steps; };
     switch (s.stage) {
-    case State::Stage::start: return 0;
-    case State::Stage::particles: return projected * (s.iteration + static_cast<double>(s.model) / s.count()) / k_particle_passes;
-    case State::Stage::carry: return carried * s.carried / s.carries;
+    case State::Stage::first: return s.beginning ? begun * s.beginning->fraction() : 0;
+    case State::Stage::start: return begun;
+    case State::Stage::particles: return begun + (projected - begun) * (s.iteration + static_cast<double>(s.model) / s.count()) / k_particle_passes;
+    case State::Stage::carry: return begun + (carried - begun) * s.carried / s.carries;
     case State::Stage::untangle: return carried;
     case State::Stage::fine: return fine_step(of_fit * s.part_of_models());
     case State::Stage::edges: return fine_step(of_fit);
@@ -622,7 +643,7 @@ double MatchSession::fraction() const {
 
 MatchResult MatchSession::result() const {
     const State& s = *state_;
-    if (s.stage == State::Stage::start) throw InvalidInput("not-begun", "The match has not begun. Call step() first.");
+    if (s.skins.count() == 0) throw InvalidInput("not-begun", "The match has not begun. Call step() first.");
     MatchResult out{s.skins, {}, s.report()};
     std::vector<int> vertex(static_cast<std::size_t>(s.models.front().markers.rows()), -1);
     for (int v = 0; v < s.skins.vertex_count(); ++v)
