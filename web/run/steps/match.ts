@@ -5,10 +5,18 @@ import { type Model, vertexCount } from '../../core/model';
 import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
 import type { Matched, SkinFigures } from '../../kernel/contract/match';
 import { isDrawn, isWhole, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
+import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { askedPoints, hasAttributes, readAttributes, type SkinAttributes } from './match/attributes';
 import { placePoints } from './match/places';
 import { matchQuestions } from './match/questions';
-import { type InputShape, type StepOutcome, type StepRunner, signalOf } from './step-runner';
+import {
+  type InputShape,
+  type StepContext,
+  type StepOutcome,
+  type StepRunner,
+  signalOf,
+} from './step-runner';
 
 /** With one or two markers it is open how the models are turned: none at all, or so many. */
 const FEWEST_MARKERS = 3;
@@ -94,7 +102,11 @@ export const matchRunner = {
       { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, start } },
       { ...signalOf(context), onProgress, ...(onLook && { onLook }) },
     );
-    const skins = step.models.map((name, at) => skinOf(name, matched, at));
+    const { triangles, attributes } = await carriedFrom(inputs[0]!, matched, context);
+    const skins = step.models.map((name, at) => ({
+      ...skinOf(name, triangles, matched.positions[at]!),
+      ...attributes,
+    }));
     const byName = <T>(value: (at: number) => T): Record<string, T> =>
       Object.fromEntries(step.models.map((name, at) => [name, value(at)]));
     qualities.set(skins[0]!, {
@@ -147,15 +159,36 @@ const inputName = ({ models }: MatchStep, at: number): string => models[at]!;
 const indicesOf = (set: VertexSet, model: Model): Uint32Array =>
   isEmpty(set) ? new Uint32Array() : toIndices(set, vertexCount(model));
 
-function skinOf(name: string, { triangles, positions }: Matched, at: number): Model {
+function skinOf(name: string, triangles: Uint32Array, positions: Float64Array): Model {
   const count = triangles.length / 3;
   return {
     name: name.slice(name.lastIndexOf('/') + 1),
-    positions: positions[at]!,
+    positions,
     faceOffsets: Uint32Array.from({ length: count + 1 }, (_, face) => 3 * face),
     faceVertices: triangles,
   };
 }
+
+/** What the source has beside its shape, for every skin; its groups decide the order of their triangles. */
+async function carriedFrom(
+  source: ModelResult,
+  { triangles, positions }: Matched,
+  context: StepContext,
+): Promise<{ readonly triangles: Uint32Array; readonly attributes: SkinAttributes }> {
+  if (!hasAttributes(source.model)) return { triangles, attributes: {} };
+  const asked = askedPoints(positions[0]!, triangles);
+  const places = (points: Float64Array) =>
+    context.kernel.call('placesOn', { model: source.opened.id, points }, signalOf(context));
+  const { attributes, order } = readAttributes(source, asked, {
+    vertices: await places(asked.vertices),
+    corners: await places(asked.corners),
+    middles: await places(asked.middles),
+  });
+  return { triangles: order ? inOrder(triangles, order) : triangles, attributes };
+}
+
+const inOrder = (triangles: Uint32Array, order: Uint32Array): Uint32Array =>
+  Uint32Array.from(triangles, (_, corner) => triangles[3 * order[Math.floor(corner / 3)]! + (corner % 3)]!);
 
 /** @throws LissomError `index-out-of-range` */
 function checkPlace(place: MarkerPlace | null, path: string, input: InputShape): void {
