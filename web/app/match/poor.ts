@@ -1,7 +1,7 @@
 // Where skins lie poorly: off their model, or where the model goes on without them. Good places for another marker.
 
 import type { Skin } from '../../view/match/types';
-import { sizeOf } from './marking';
+import { diagonalOf } from './size';
 
 export interface PoorPlace {
   /** Number of the model. */
@@ -31,7 +31,7 @@ export function poorPlaces(
   residuals: readonly Float32Array[],
 ): PoorPlace[] {
   const found = skins.flatMap(({ positions, triangles }, model) => {
-    const size = sizeOf(models[model]!);
+    const size = diagonalOf(models[model]!);
     const off = [...residuals[model]!].flatMap((distance, vertex) =>
       distance > WORTH ? [{ model, vertex, distance }] : [],
     );
