@@ -207,6 +207,8 @@ export class FakeKernel implements KernelPort {
         seconds: { dress: 0.001 },
       };
     },
+    carryPlaces: ({ places }) => places,
+    guessPlace: ({ place }) => place,
     measure: ({ positions }) => ({
       volumeRatio: 1,
       edgeRms: 0,
