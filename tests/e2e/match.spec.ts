@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import type { Mesh } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
+import type { MatchWing } from '../../web/app/match/wing';
 import { readModel } from '../../web/io/formats';
 import { readZip } from '../../web/io/zip';
 import type { Vec3 } from '../../web/view/types';
@@ -148,13 +149,20 @@ test('two fruits get one connectivity: marked, suggested, matched, moved, undone
     await page.waitForFunction(() => window.__lissom.app.state.saved.peek().kind === 'saved');
     await page.reload();
     await desk.ready();
+    await page.waitForFunction(() => {
+      const wing = window.__lissom.app.wings.get('match') as MatchWing | undefined;
+      return wing?.state.result.peek();
+    });
     expect((await matched(desk)).skin).toBe(first.skin);
   });
 });
 
 async function exported(desk: Desk, choice: string): Promise<Uint8Array> {
   const { page } = desk;
+  await expect(page.getByRole('dialog')).toHaveCount(0);
+  await desk.settled();
   await page.keyboard.press('Control+e');
+  await expect(page.getByRole('dialog')).toBeVisible();
   await page.getByText(choice, { exact: true }).click();
   const download = page.waitForEvent('download');
   await page.getByRole('dialog').getByRole('button', { name: 'Export', exact: true }).click();

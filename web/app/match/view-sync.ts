@@ -17,10 +17,9 @@ import { PointerSwitch } from '../tools';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import type { MatchActions } from './actions';
-import { followGhosts } from './ghosts';
 import { AppMatchHost } from './host';
-import { sizeOf } from './marking';
 import { heatTop } from './result';
+import { diagonalOf } from './size';
 import type { MatchState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'settings' | 'panes' | 'runner' | 'messages'>;
@@ -55,7 +54,6 @@ export function mountMatch(
       // Of another step, or of other models, nothing is looked at.
       if (own.poor.value !== null && (!own.result.value || own.marker.value !== null)) own.poor.value = null;
     }),
-    followGhosts(own, parts),
     () => frame.stop(),
     // Among more or fewer each has another size.
     effect(() => {
@@ -236,7 +234,7 @@ function frameAround(viewport: ViewportPort, own: MatchState, at: number, vertex
   if (!skin || !shown) return;
   const { positions } = shown.model;
   const [x, y, z] = skin.positions.subarray(3 * vertex, 3 * vertex + 3);
-  const reach = AROUND * sizeOf(positions);
+  const reach = AROUND * diagonalOf(positions);
   const near: number[] = [];
   for (let v = 0; v < positions.length / 3; v++)
     if (Math.hypot(positions[3 * v]! - x!, positions[3 * v + 1]! - y!, positions[3 * v + 2]! - z!) < reach)
