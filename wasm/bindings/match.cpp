@@ -125,14 +125,9 @@ val result(const HeldMatch& held) {
     });
 }
 
-lissom::Triangles triangles_of(const val& uint32) {
-    const std::vector<int> corners = indices(uint32);
-    return Eigen::Map<const lissom::Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
-}
-
 // carryPlaces(from, to, triangles, places) → Float64Array
-val carry_places(const val& from, const val& to, const val& triangles, const val& places) {
-    return guarded([&] { return float64_array(lissom::carried_places({points(from), triangles_of(triangles)}, points(to), points(places))); });
+val carry_places(const val& from, const val& to, const val& corners, const val& places) {
+    return guarded([&] { return float64_array(lissom::carried_places({points(from), bindings::triangles(corners)}, points(to), points(places))); });
 }
 
 // guessPlace(from, to, fromMarkers, toMarkers, place) → Float64Array of 3

@@ -4,7 +4,7 @@
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/stopwatch.h"
 #include "lissom/solve/sparse_cholesky.h"
-#include "lissom/wear/skin_carrier.h"
+#include "lissom/wear/body_map.h"
 
 #include <cmath>
 #include <optional>
@@ -25,7 +25,7 @@ constexpr double k_margin = 0.00155;
 
 struct DressSession::State {
     const WorkingMesh& garment;
-    SkinCarrier carrier;
+    BodyMap map;
     std::optional<TriangleMesh> model; ///< until its body is made
     int done = 0;                      ///< slices
     TriangleMesh laid;                 ///< the garment as the similarity lays it on the second body
@@ -38,7 +38,7 @@ struct DressSession::State {
 };
 
 DressSession::DressSession(const WorkingMesh& garment, const Triangles& triangles, const Points& from, const Points& to, const WorkingMesh* model)
-    : state_(new State{.garment = garment, .carrier = SkinCarrier(triangles, from, to), .model = {}, .laid = garment.mesh, .moves = {}, .away = {}, .areas = {},
+    : state_(new State{.garment = garment, .map = BodyMap(triangles, from, to), .model = {}, .laid = garment.mesh, .moves = {}, .away = {}, .areas = {},
                        .smoothing = {}, .skin_body = {}, .model_body = {}, .seconds = {}}) {
     if (!model) return;
     state_->with_model = true;
@@ -54,15 +54,15 @@ bool DressSession::step() {
     Stopwatch watch;
     switch (s.done) {
     case 0:
-        if (s.carrier.step()) return s.seconds.prepare += watch.lap(), true;
+        if (s.map.step()) return s.seconds.prepare += watch.lap(), true;
         break;
     case 1: {
-        const Eigen::Affine3d lay = s.carrier.similarity().affine();
+        const Eigen::Affine3d lay = s.map.similarity().affine();
         const int n = s.laid.vertex_count();
         s.moves.resize(n, 3), s.away.resize(n, 3);
         for (int v = 0; v < n; ++v) {
             const Vector3d place = s.garment.to_source(s.garment.mesh.points.row(v)), at = lay * place;
-            const SkinCarrier::Carried carried = s.carrier.carry(place);
+            const BodyMap::Carried carried = s.map.carry(place);
             s.laid.points.row(v) = at.transpose();
             s.moves.row(v) = (carried.place - at).transpose();
             s.away.row(v) = carried.away.transpose();
@@ -72,17 +72,17 @@ bool DressSession::step() {
     case 2: {
         // (M + ℓ² K) d̄ = M d: implicit smoothing over ℓ, in areas instead of rings so that the garment's triangles do not matter.
         s.areas = vertex_areas(s.laid);
-        SparseMatrix A = -std::pow(k_smooth * s.carrier.size(), 2) * cotangent_laplacian(s.laid);
+        SparseMatrix A = -std::pow(k_smooth * s.map.size(), 2) * cotangent_laplacian(s.laid);
         A.diagonal() += s.areas;
         s.smoothing.emplace(A, &s.laid.points);
         s.smoothing->factorize(A);
         break;
     }
     case 3:
-        s.skin_body.emplace(s.carrier.to(), s.carrier.size());
+        s.skin_body.emplace(s.map.to(), s.map.size());
         break;
     default:
-        if (s.model) s.model_body.emplace(*s.model, s.carrier.size());
+        if (s.model) s.model_body.emplace(*s.model, s.map.size());
         s.model.reset();
         s.seconds.prepare += watch.lap();
         return false;
@@ -107,7 +107,7 @@ Dressed DressSession::dress(double ease) {
     std::vector<const Body*> bodies;
     if (s.skin_body->has_inside()) bodies.push_back(&*s.skin_body);
     if (s.model_body && s.model_body->has_inside()) bodies.push_back(&*s.model_body);
-    const PushedOut pushed = push_out(worn, bodies, k_margin * s.carrier.size());
+    const PushedOut pushed = push_out(worn, bodies, k_margin * s.map.size());
     dressed.before = pushed.before, dressed.after = pushed.after, dressed.rounds = pushed.rounds;
     const auto warn = [&](const char* code, int count) { dressed.warnings.push_back({.code = code, .count = count, .examples = {}, .repaired = true}); };
     if (!s.skin_body->has_inside()) warn("body-without-inside", 1);
@@ -121,7 +121,7 @@ Dressed DressSession::dress(double ease) {
         if (w >= 0)
             dressed.positions.row(row) = worn.points.row(w);
         else if (s.garment.source.row(row).allFinite()) // in no triangle, but it goes along
-            dressed.positions.row(row) = s.carrier.carry(s.garment.source.row(row)).place.transpose();
+            dressed.positions.row(row) = s.map.carry(s.garment.source.row(row)).place.transpose();
     }
     s.seconds.dress = watch.lap();
     return dressed;

@@ -23,7 +23,7 @@ struct Dressed {
 
 /// A garment made for one body, worn by another of which there is a skin of the same connectivity.
 ///
-/// What it is made of is carried from skin to skin (`SkinCarrier`), what that moves is smoothed along the garment over some 1 cm of a person, and
+/// What it is made of is carried from skin to skin (`BodyMap`), what that moves is smoothed along the garment over some 1 cm of a person, and
 /// what then lies within the body is pushed out (`push_out`). All lengths are shares of √area of the skin: a doll's dress fits as a giant's.
 /// Cost: prepare is dominated by the dense map (1,200³); a garment of 4,000 vertices is then dressed in some 0.1 s, again for every ease.
 class DressSession {
@@ -32,7 +32,7 @@ public:
     /// @param garment  kept by reference: must outlive the session; in the space of the first body
     /// @param from,to  the skins, n×3 each
     /// @param model    the body that the second skin is of, or none; minded beside the skin where it has an inside. Only read here
-    /// @throws InvalidInput as `SkinCarrier`
+    /// @throws InvalidInput as `BodyMap`
     DressSession(const WorkingMesh& garment, const Triangles& triangles, const Points& from, const Points& to, const WorkingMesh* model = nullptr);
     ~DressSession();
     DressSession(DressSession&&) noexcept;

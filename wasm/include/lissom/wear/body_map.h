@@ -18,14 +18,14 @@ namespace lissom {
 ///
 /// Source: Kobayashi and Ootsubo, "t-FFD", 2003, as "Duplicate-Skins" (004) 5.2 uses it; the rest measured (docs/wear.md).
 /// Cost: dense, 1,200³ once; a place a walk of the tree and 1,200 distances.
-class SkinCarrier {
+class BodyMap {
 public:
     /// Call step() until it returns false.
     /// @param from,to  n×3, one row per vertex of the triangles
     /// @throws InvalidInput `wrong-size`, `vertex-out-of-range`, `non-finite-position`, `flat-skin` (no area, or all in one plane)
-    SkinCarrier(const Triangles& triangles, const Points& from, const Points& to);
-    ~SkinCarrier();
-    SkinCarrier(SkinCarrier&&) noexcept;
+    BodyMap(const Triangles& triangles, const Points& from, const Points& to);
+    ~BodyMap();
+    BodyMap(BodyMap&&) noexcept;
 
     /// One slice. @returns true while there is more
     bool step();

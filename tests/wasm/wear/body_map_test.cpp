@@ -1,4 +1,4 @@
-#include "lissom/wear/skin_carrier.h"
+#include "lissom/wear/body_map.h"
 
 #include "refusal.h"
 #include "shapes.h"
@@ -12,13 +12,13 @@ using Eigen::Affine3d;
 using Eigen::AngleAxisd;
 using Eigen::Vector3d;
 using lissom::Points;
-using lissom::SkinCarrier;
+using lissom::BodyMap;
 using lissom::TriangleMesh;
 
 namespace {
 
-SkinCarrier carrier(const TriangleMesh& from, const Points& to) {
-    SkinCarrier made(from.triangles, from.points, to);
+BodyMap between(const TriangleMesh& from, const Points& to) {
+    BodyMap made(from.triangles, from.points, to);
     while (made.step()) {
     }
     return made;
@@ -46,7 +46,7 @@ const std::vector<Vector3d>& places() {
 TEST_CASE("onto the same skin nothing moves; onto one that is moved and turned all goes along") {
     const TriangleMesh ball = shapes::bumpy_sphere(3);
     const Affine3d map(Eigen::Translation3d(3, -1, 20) * AngleAxisd(2.2, Vector3d(1, 1, 0).normalized()) * Eigen::Scaling(1.2));
-    const SkinCarrier same = carrier(ball, ball.points), moved = carrier(ball, applied(map, ball.points));
+    const BodyMap same = between(ball, ball.points), moved = between(ball, applied(map, ball.points));
     for (const Vector3d& p : places()) {
         CHECK((same.carry(p).place - p).norm() < 1e-6);
         CHECK(same.carry(p).away.dot(p.normalized()) > 0.5);
@@ -61,10 +61,10 @@ TEST_CASE("onto the same skin nothing moves; onto one that is moved and turned a
 TEST_CASE("moved, turned and in another unit places are carried alike") {
     const TriangleMesh ball = shapes::bumpy_sphere(3);
     const Points to = thicker(ball);
-    const SkinCarrier plain = carrier(ball, to);
+    const BodyMap plain = between(ball, to);
     for (const double size : {1e-4, 1e5}) {
         const Affine3d map(Eigen::Translation3d(size * 30, 0, -size) * AngleAxisd(1.2, Vector3d(1, 5, 0).normalized()) * Eigen::Scaling(size));
-        const SkinCarrier there = carrier(shapes::moved(ball, map), applied(map, to));
+        const BodyMap there = between(shapes::moved(ball, map), applied(map, to));
         for (const Vector3d& p : places()) {
             CHECK((there.carry(map * p).place - map * plain.carry(p).place).norm() < 1e-6 * size);
             CHECK((there.carry(map * p).away - map.linear() / size * plain.carry(p).away).norm() < 1e-5);
@@ -74,7 +74,7 @@ TEST_CASE("moved, turned and in another unit places are carried alike") {
 
 TEST_CASE("a place keeps to the skin that it was near, whatever the triangles") {
     const TriangleMesh coarse = shapes::icosphere(4), fine = shapes::icosphere(5);
-    const SkinCarrier a = carrier(coarse, thicker(coarse)), b = carrier(fine, thicker(fine));
+    const BodyMap a = between(coarse, thicker(coarse)), b = between(fine, thicker(fine));
     for (const Vector3d& p : places()) CHECK((a.carry(p).place - b.carry(p).place).norm() < 0.01);
     // Near the skin it lies as far outside as it did.
     const lissom::TriangleTree tree(b.to());
@@ -84,11 +84,11 @@ TEST_CASE("a place keeps to the skin that it was near, whatever the triangles") 
 
 TEST_CASE("skins that do not fit or have no volume are refused") {
     const TriangleMesh ball = shapes::icosphere(1), sheet = shapes::sheet(8, 8);
-    CHECK(refusal([&] { SkinCarrier(ball.triangles, ball.points, sheet.points); }) == "wrong-size");
-    CHECK(refusal([&] { SkinCarrier(ball.triangles, ball.points.topRows(9), ball.points.topRows(9)); }) == "vertex-out-of-range");
-    CHECK(refusal([&] { SkinCarrier(ball.triangles, 0 * ball.points, ball.points); }) == "flat-skin");
-    CHECK(refusal([&] { carrier(sheet, sheet.points); }) == "flat-skin");
+    CHECK(refusal([&] { BodyMap(ball.triangles, ball.points, sheet.points); }) == "wrong-size");
+    CHECK(refusal([&] { BodyMap(ball.triangles, ball.points.topRows(9), ball.points.topRows(9)); }) == "vertex-out-of-range");
+    CHECK(refusal([&] { BodyMap(ball.triangles, 0 * ball.points, ball.points); }) == "flat-skin");
+    CHECK(refusal([&] { between(sheet, sheet.points); }) == "flat-skin");
     Points torn = ball.points;
     torn(3, 1) = std::numeric_limits<double>::infinity();
-    CHECK(refusal([&] { SkinCarrier(ball.triangles, ball.points, torn); }) == "non-finite-position");
+    CHECK(refusal([&] { BodyMap(ball.triangles, ball.points, torn); }) == "non-finite-position");
 }

@@ -1,4 +1,4 @@
-#include "lissom/wear/skin_carrier.h"
+#include "lissom/wear/body_map.h"
 
 #include "lissom/mesh/corner_weights.h"
 #include "lissom/mesh/errors.h"
@@ -35,7 +35,7 @@ void check(const Triangles& triangles, const Points& from, const Points& to) {
 
 } // namespace
 
-struct SkinCarrier::State {
+struct BodyMap::State {
     Similarity similarity;
     TriangleMesh from, to; ///< the first as the similarity lays it on the second
     double size = 1;
@@ -46,7 +46,7 @@ struct SkinCarrier::State {
     std::optional<BiharmonicMap> far;
 };
 
-SkinCarrier::SkinCarrier(const Triangles& triangles, const Points& from, const Points& to) : state_(std::make_unique<State>()) {
+BodyMap::BodyMap(const Triangles& triangles, const Points& from, const Points& to) : state_(std::make_unique<State>()) {
     check(triangles, from, to);
     State& s = *state_;
     s.to = {to, triangles};
@@ -61,10 +61,10 @@ SkinCarrier::SkinCarrier(const Triangles& triangles, const Points& from, const P
     s.size = std::sqrt(triangle_areas(s.to).sum());
 }
 
-SkinCarrier::~SkinCarrier() = default;
-SkinCarrier::SkinCarrier(SkinCarrier&&) noexcept = default;
+BodyMap::~BodyMap() = default;
+BodyMap::BodyMap(BodyMap&&) noexcept = default;
 
-bool SkinCarrier::step() {
+bool BodyMap::step() {
     State& s = *state_;
     if (!s.tree) {
         s.tree.emplace(s.from);
@@ -82,7 +82,7 @@ bool SkinCarrier::step() {
     return false;
 }
 
-SkinCarrier::Carried SkinCarrier::carry(const Vector3d& given) const {
+BodyMap::Carried BodyMap::carry(const Vector3d& given) const {
     const State& s = *state_;
     const Vector3d place = s.similarity.affine() * given;
     const TriangleTree::Nearest at = s.tree->nearest(place);
@@ -105,8 +105,8 @@ SkinCarrier::Carried SkinCarrier::carry(const Vector3d& given) const {
     return carried;
 }
 
-const Similarity& SkinCarrier::similarity() const { return state_->similarity; }
-const TriangleMesh& SkinCarrier::to() const { return state_->to; }
-double SkinCarrier::size() const { return state_->size; }
+const Similarity& BodyMap::similarity() const { return state_->similarity; }
+const TriangleMesh& BodyMap::to() const { return state_->to; }
+double BodyMap::size() const { return state_->size; }
 
 } // namespace lissom

@@ -1,0 +1,74 @@
+// Blends and garments from the command line: what is written, what the report says, what is refused.
+
+import { describe, expect, test } from 'vitest';
+import { writeModel } from '../../web/io/formats';
+import { ball, pear, plum } from '../kernel/balls';
+import { Shell } from './shell';
+
+const SHAPES = {
+  pear: pear(),
+  plum: plum(),
+  belt: ball(16, 30, (x, y, z) => [1.05 * x, 0.4 * y, 1.05 * z]),
+};
+const MATCH = {
+  id: 'm',
+  type: 'match',
+  models: ['pear', 'plum'],
+  markers: SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]),
+  edgeLength: 0.3,
+};
+
+async function wear(step: object, command = 'run') {
+  const shell = new Shell();
+  for (const [name, shape] of Object.entries(SHAPES))
+    shell.write(`${name}.ply`, writeModel({ name, ...shape }, 'ply'));
+  const recipe = shell.write('r.json', {
+    lissom: 1,
+    models: Object.fromEntries(Object.keys(SHAPES).map((name) => [name, { file: `${name}.ply` }])),
+    steps: [MATCH, { id: 'x', match: 'm', ...step }],
+    outputs: [{ step: 'x', file: 'x.ply' }],
+  });
+  const out = ['--out', shell.path('out'), '--report', shell.path('report.json')];
+  return { shell, ...(await shell.lissom([command, recipe, ...(command === 'run' ? out : [])])) };
+}
+
+test('a blend is written, with its weights and measures in the report', async () => {
+  const measures = [{ kind: 'height', value: 2.3 }];
+  const { shell, status, stderr } = await wear({ type: 'blend', weights: { pear: 1 }, measures });
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  const heights = shell.model('out/x.ply').positions.filter((_, at) => at % 3 === 1);
+  expect(Math.max(...heights) - Math.min(...heights)).toBeCloseTo(2.3, 3);
+  const step = JSON.parse(shell.read('report.json')).steps[1];
+  expect(step).toMatchObject({
+    id: 'x',
+    type: 'blend',
+    measures: [{ kind: 'height', value: 2.3 }],
+    weights: { pear: expect.any(Number), plum: expect.any(Number) },
+    seconds: { factor: expect.any(Number), blend: expect.any(Number), measure: expect.any(Number) },
+  });
+});
+
+test('a garment is written, and nothing of it is inside', async () => {
+  const { shell, status, stderr } = await wear({ type: 'dress', garment: 'belt', from: 'pear', to: 'plum' });
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  expect(shell.model('out/x.ply').faceVertices).toEqual(SHAPES.belt.faceVertices);
+  const step = JSON.parse(shell.read('report.json')).steps[1];
+  expect(step).toMatchObject({
+    type: 'dress',
+    inside: 0,
+    insideBefore: { vertices: expect.any(Number), faceCentres: expect.any(Number) },
+    vertices: SHAPES.belt.positions.length / 3,
+  });
+});
+
+describe.each(['check', 'run'])('%s refuses', (command) => {
+  test.each<[string, object]>([
+    ['a weight of nobody', { type: 'blend', weights: { apple: 1 } }],
+    ['a body that was not matched', { type: 'dress', garment: 'belt', from: 'pear', to: 'belt' }],
+  ])('%s', async (_, step) => {
+    const { shell, status, stderr } = await wear(step, command);
+    expect(status).toBe(2);
+    expect(stderr).toMatch(/^error: recipe-invalid: steps\[1\].+it has "pear", "plum"\.\n$/);
+    expect(shell.files('out')).toEqual([]);
+  });
+});
