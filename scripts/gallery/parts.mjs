@@ -289,9 +289,145 @@ function snake() {
   });
 }
 
+/** What goes round an upright axis: at each angle the same closed profile, seen from outside counter-clockwise. */
+function ring(around, profile) {
+  const points = [];
+  const rows = [];
+  for (let i = 0; i < around; i++) {
+    const angle = (2 * Math.PI * i) / around;
+    const places = profile(angle, i);
+    rows.push(places.length);
+    for (const [out, up] of places) points.push([out * Math.cos(angle), up, out * Math.sin(angle)]);
+  }
+  const [count] = rows;
+  const triangles = [];
+  for (let i = 0; i < around; i++)
+    for (let j = 0; j < count; j++) {
+      const [a, b] = [i * count, ((i + 1) % around) * count];
+      const next = (j + 1) % count;
+      triangles.push(...halves(points, [a + j, a + next, b + next, b + j]));
+    }
+  return { points, triangles };
+}
+
+const torus = () =>
+  ring(80, () =>
+    Array.from({ length: 40 }, (_, j) => {
+      const turn = (2 * Math.PI * j) / 40;
+      return [0.7 + 0.3 * Math.cos(turn), 0.3 * Math.sin(turn)];
+    }),
+  );
+
+/** A hexagonal nut without thread: every edge is sharp. */
+function nut() {
+  const [FLAT, HOLE, HALF] = [0.87, 0.5, 0.36];
+  const between = (a, b, count) => Array.from({ length: count }, (_, j) => mix(a, b, j / count));
+  return ring(96, (angle) => {
+    // Distance to the flat side that is nearest.
+    const off = ((angle + Math.PI / 6) % (Math.PI / 3)) - Math.PI / 6;
+    const side = FLAT / Math.cos(off);
+    const corners = [
+      [side, -HALF],
+      [side, HALF],
+      [HOLE, HALF],
+      [HOLE, -HALF],
+    ];
+    return corners.flatMap((corner, k) => between(corner, corners[(k + 1) % 4], k % 2 ? 8 : 14));
+  });
+}
+
+/** A ball, longer along some axes than along others, turned about z. */
+function ball([cx, cy, cz], [rx, ry, rz], turn = 0) {
+  const [rows, around] = [24, 36];
+  const [c, s] = [Math.cos(turn), Math.sin(turn)];
+  const points = [[0, 1, 0]];
+  for (let i = 1; i < rows; i++)
+    for (let j = 0; j < around; j++) {
+      const [a, b] = [(Math.PI * i) / rows, (2 * Math.PI * j) / around];
+      points.push([Math.sin(a) * Math.cos(b), Math.cos(a), -Math.sin(a) * Math.sin(b)]);
+    }
+  points.push([0, -1, 0]);
+  const at = (i, j) => 1 + (i - 1) * around + (j % around);
+  const last = points.length - 1;
+  const triangles = [];
+  for (let j = 0; j < around; j++)
+    triangles.push([0, at(1, j), at(1, j + 1)], [last, at(rows - 1, j + 1), at(rows - 1, j)]);
+  for (let i = 1; i + 1 < rows; i++)
+    for (let j = 0; j < around; j++)
+      triangles.push(...halves(points, [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
+  return {
+    points: points.map(([x, y, z]) => {
+      const [px, py] = [rx * x, ry * y];
+      return [cx + c * px - s * py, cy + s * px + c * py, cz + rz * z];
+    }),
+    triangles,
+  };
+}
+
+/** A toy bear of seven balls that reach into one another: belly, head, snout, arms and legs. */
+function bear() {
+  const balls = [
+    ball([0, 0.62, 0], [0.34, 0.42, 0.3]),
+    ball([0, 1.24, 0.03], [0.29, 0.28, 0.27]),
+    ball([0, 1.18, 0.27], [0.13, 0.11, 0.13]),
+    ...[-1, 1].flatMap((side) => [
+      ball([0.38 * side, 0.78, 0.1], [0.3, 0.12, 0.13], side * -0.7),
+      ball([0.2 * side, 0.18, 0.16], [0.15, 0.15, 0.3]),
+    ]),
+  ];
+  const points = [];
+  const triangles = [];
+  for (const part of balls) {
+    const shift = points.length;
+    points.push(...part.points);
+    triangles.push(...part.triangles.map((corners) => corners.map((v) => v + shift)));
+  }
+  return { points, triangles };
+}
+
+/** A rabbit that sits like the bear does, in one piece. */
+function rabbit() {
+  return implicitSurface({
+    low: [-0.792, -0.024, -0.48],
+    high: [0.792, 2.112, 0.576],
+    cell: 0.03,
+    inside: (...p) => {
+      const [x, y, z] = p;
+      const q = [Math.abs(x), y, z];
+      const egg = ([cx, cy, cz], [rx, ry, rz]) => {
+        const least = Math.min(rx, ry, rz);
+        return (Math.hypot((q[0] - cx) / rx, (y - cy) / ry, (z - cz) / rz) - 1) * least;
+      };
+      const trunk = egg([0, 0.55, -0.02], [0.33, 0.42, 0.31]);
+      const head = egg([0, 1.15, 0.07], [0.25, 0.25, 0.27]);
+      const snout = Math.hypot(q[0] - 0.05, y - 1.08, z - 0.29) - 0.09;
+      const ear = capsule(q, [0.1, 1.3, 0.02], [0.2, 1.92, -0.06], 0.085);
+      const arm = capsule(q, [0.25, 0.78, 0.12], [0.5, 0.62, 0.22], 0.085);
+      const leg = capsule(q, [0.21, 0.14, 0.06], [0.22, 0.12, 0.4], 0.12);
+      const scut = Math.hypot(x, y - 0.3, z + 0.34) - 0.1;
+      return blend(0.06, blend(0.12, trunk, head), snout, ear, arm, leg, scut);
+    },
+  });
+}
+
 const shoe = () => shoeOf('foot-female');
 
-const shapes = { pipes, block, key, wings, loops, moebius, sheets, cactus, snake, shoe };
+const shapes = {
+  pipes,
+  block,
+  key,
+  wings,
+  loops,
+  moebius,
+  sheets,
+  cactus,
+  snake,
+  shoe,
+  torus,
+  nut,
+  bear,
+  rabbit,
+};
 const wanted = process.argv.slice(2);
 for (const [name, shape] of Object.entries(shapes)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
