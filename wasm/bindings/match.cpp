@@ -25,6 +25,10 @@ lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& 
     lissom::MatchOptions options;
     if (const val start = given["start"]; !start.isUndefined())
         options.start = named<lissom::MatchStart>(start, "start", {{"automatic", lissom::MatchStart::automatic}, {"similarity", lissom::MatchStart::similarity}, {"radial", lissom::MatchStart::radial}});
+    if (const val first = given["first"]; !first.isUndefined())
+        options.first = named<lissom::FirstSkin>(first, "first skin", {{"copy", lissom::FirstSkin::copy}, {"remesh", lissom::FirstSkin::remesh}, {"wrap", lissom::FirstSkin::wrap},
+                                                                        {"box", lissom::FirstSkin::box}, {"sphere", lissom::FirstSkin::sphere}, {"torus", lissom::FirstSkin::torus}});
+    read(given, "genus", options.genus);
     if (const val method = given["method"]; !method.isUndefined())
         options.method = named<lissom::MatchMethod>(method, "method", {{"graph", lissom::MatchMethod::graph}, {"paper", lissom::MatchMethod::paper}});
     read(given, "adapt", options.adapt);
