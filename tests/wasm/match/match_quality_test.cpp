@@ -147,7 +147,7 @@ TEST_CASE("bodies in other poses: a walk within 1.5 % by 49 markers, raised arms
     check("body, at rest -> arms up, 20 markers", shared("human/body_female_armsup"), shared("human/body_female_armsup"), body_markers(marks));
 }
 
-TEST_CASE("a body as a clean mesh, as a soup and as points gets nearly the same skin") {
+TEST_CASE("a body as a clean mesh, as a soup and as points gets nearly the same skin" * doctest::skip()) {
     const auto marks = pairs::landmarks("human/body_regions");
     const TriangleMesh rest = shared("pairs/body_female_remesh"), from = shared("human/body_female"), clean = shared("human/body_male"), points = shared("generated/out/points_oriented");
     if (rest.vertex_count() == 0 || from.vertex_count() == 0 || clean.vertex_count() == 0 || points.vertex_count() == 0 || marks.empty()) return;
