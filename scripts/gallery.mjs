@@ -8,6 +8,7 @@ import { deformExamples, firstRecipe } from './gallery/deform.mjs';
 import { dressExamples } from './gallery/dress.mjs';
 import { hairExamples } from './gallery/hair.mjs';
 import { isolineExamples } from './gallery/isolines.mjs';
+import { matchExamples } from './gallery/match.mjs';
 import { mergeExamples } from './gallery/merge.mjs';
 import { folder, MADE, modelOf } from './gallery/models.mjs';
 import { transferExamples } from './gallery/transfer.mjs';
@@ -47,6 +48,10 @@ const models = [
   ['pants', 'Pants', HUMAN],
   ['skirt', 'Skirt', HUMAN],
   ['shoe', 'Shoe', OWN],
+  ['torus', 'Ring', OWN],
+  ['nut', 'Nut', OWN],
+  ['bear', 'Toy bear', OWN],
+  ['rabbit', 'Rabbit', OWN],
 ];
 
 const examples = [
@@ -55,6 +60,7 @@ const examples = [
   ...mergeExamples(),
   ...transferExamples(),
   ...(await curveExamples()),
+  ...matchExamples(),
   ...(await blendExamples()),
   ...dressExamples(),
   ...hairExamples(),
