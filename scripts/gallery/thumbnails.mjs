@@ -46,6 +46,7 @@ async function pictures(entries, ofHair) {
         // What got a pose is looked at without the model that has it, and without handles.
         const { handles = [] } = app.evaluator.result.peek().step;
         if (title.startsWith('transfer-')) await app.commands.run('transfer.deform');
+        else if (title.startsWith('match-')) app.wings.get('match').actions.lookAll('skin');
         else if (handles.some(({ kind }) => kind === 'point')) await app.commands.run('step.apply');
         await app.evaluator.settled();
       }, name);

@@ -12,6 +12,8 @@ import type { DressWing } from '../../web/app/dress/wing';
 import type { SaveOptions } from '../../web/app/file-dialogs';
 import type { HairActions } from '../../web/app/hair/actions';
 import type { HairWing } from '../../web/app/hair/wing';
+import type { MatchActions } from '../../web/app/match/actions';
+import type { MatchWing } from '../../web/app/match/wing';
 import type { MergeActions } from '../../web/app/merge/actions';
 import type { MergeWing } from '../../web/app/merge/wing';
 import { type DocumentStore, hashesOf, type StoredDocument } from '../../web/app/store';
@@ -54,6 +56,8 @@ export class FakeKernel implements KernelPort {
   /** Seconds a solve claims to take. */
   solveSeconds = 0.001;
   #models: Float64Array[] = [];
+  /** Markers of each match, model by model. */
+  readonly matched: (readonly Float64Array[])[] = [];
   #sessions: { rest: Float64Array; moved: Set<number> }[] = [];
   #paired: Args<'prepareTransfer'>[] = [];
   #blends: Args<'prepareBlend'>[] = [];
@@ -137,12 +141,13 @@ export class FakeKernel implements KernelPort {
     },
     // Models of one connectivity are their own skins.
     match: ({ models }) => {
+      this.matched.push(models.map(({ markers }) => markers));
       const skins = models.map(({ model }) => this.#models[model - 1]!);
       return {
         triangles: this.#triangles,
         positions: skins,
         figures: skins.map(() => ({
-          distance: { mean: 0, back: 0, p99: 0 },
+          distance: { mean: 0.001, back: 0.002, p99: 0.01 },
           flipped: 0,
           folds: 0,
           selfIntersections: 0,
@@ -153,7 +158,7 @@ export class FakeKernel implements KernelPort {
         markerError: 0,
         iterations: 1,
         warnings: [],
-        seconds: { start: 0, carry: 0, fine: 0, connectivity: 0, report: 0 },
+        seconds: { start: 0, carry: 0, fine: 0, connectivity: 0, sharp: 0, report: 0 },
         peakBytes: 1,
       };
     },
@@ -202,6 +207,8 @@ export class FakeKernel implements KernelPort {
         seconds: { dress: 0.001 },
       };
     },
+    carryPlaces: ({ places }) => places,
+    guessPlace: ({ place }) => place,
     measure: ({ positions }) => ({
       volumeRatio: 1,
       edgeRms: 0,
@@ -417,6 +424,14 @@ export class Tab {
 
   get mergeState(): MergeWing['state'] {
     return this.#wing<MergeWing>('merge').state;
+  }
+
+  get match(): MatchActions {
+    return this.#wing<MatchWing>('match').actions;
+  }
+
+  get matchState(): MatchWing['state'] {
+    return this.#wing<MatchWing>('match').state;
   }
 
   get transfer(): TransferActions {

@@ -47,11 +47,33 @@ test('skins of one connectivity are written, and the report says what they are w
   expect(step.distance.plum.mean).toBeLessThan(0.004);
 });
 
+test('one skin is written with the others as morph targets', async () => {
+  const { shell, status, stderr } = await match({}, [{ step: 'm/plum', file: 'all.gltf', morphs: true }]);
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  const { meshes } = JSON.parse(shell.read('out/all.gltf'));
+  expect(meshes[0]).toMatchObject({ name: 'plum', weights: [0], extras: { targetNames: ['pear'] } });
+  expect(meshes[0].primitives[0].targets).toHaveLength(1);
+});
+
+test('markers that are not set everywhere are left out, and counted', async () => {
+  const { shell, status } = await match({ markers: [...MARKERS, [3, null], [null, 5]] });
+  expect(status).toBe(0);
+  const [step] = JSON.parse(shell.read('report.json')).steps;
+  expect(step.warnings).toContainEqual({
+    code: 'marker-incomplete',
+    count: 2,
+    examples: [6, 7],
+    repaired: false,
+  });
+});
+
 test.each<[string, object, object[]?]>([
   ['marker-count', { markers: MARKERS.slice(0, 2) }],
   ['index-out-of-range', { markers: [...MARKERS.slice(0, 5), [99999, 0]] }],
   ['recipe-invalid', { models: ['pear', 'apple'] }],
   ['recipe-invalid', {}, [{ step: 'm', file: 'both.ply' }]],
+  ['recipe-invalid', {}, [{ step: 'm/pear', file: 'all.ply', morphs: true }]],
+  ['marker-count', { markers: [MARKERS[0], [1, null], [2, null]] }],
 ])('%s', async (code, fields, outputs) => {
   const { shell, status, stderr } = await match(fields, outputs);
   expect(status).toBe(2);

@@ -2,13 +2,13 @@
 
 import { describe, expect, test } from 'vitest';
 import { writeModel } from '../../web/io/formats';
-import { ball, pear, plum } from '../kernel/balls';
+import { belt, pear, plum } from '../kernel/balls';
 import { Shell } from './shell';
 
 const SHAPES = {
   pear: pear(),
   plum: plum(),
-  belt: ball(16, 30, (x, y, z) => [1.05 * x, 0.4 * y, 1.05 * z]),
+  belt: belt(1.05),
 };
 const MATCH = {
   id: 'm',

@@ -44,6 +44,24 @@ export const plum = (): Ball => ball(20, 28, (x, y, z) => [1.4 * x, y, (1 + 0.2 
 /** A third. */
 export const fig = (): Ball => ball(18, 22, (x, y, z) => [x * (1 - 0.3 * y), 1.1 * y, 0.8 * z]);
 
+/** An open belt around such a body's middle, as wide as asked there. */
+export function belt(radius: number, height = 0.4, rows = 8, around = 30): Shape {
+  const positions: number[] = [];
+  const faces: number[] = [];
+  for (let row = 0; row <= rows; row++)
+    for (let at = 0; at < around; at++) {
+      const t = (2 * Math.PI * at) / around;
+      positions.push(radius * Math.cos(t), height * ((2 * row) / rows - 1), radius * Math.sin(t));
+      const [here, next] = [row * around + at, row * around + ((at + 1) % around)];
+      if (row < rows) faces.push(here, here + around, next, next, here + around, next + around);
+    }
+  return {
+    positions: Float64Array.from(positions),
+    faceOffsets: Uint32Array.from({ length: faces.length / 3 + 1 }, (_, face) => 3 * face),
+    faceVertices: Uint32Array.from(faces),
+  };
+}
+
 /** The points of some vertices, 3 numbers each. */
 export const pointsOf = ({ positions }: Shape, vertices: readonly number[]): Float64Array =>
   Float64Array.from(vertices.flatMap((vertex) => [...positions.subarray(3 * vertex, 3 * vertex + 3)]));

@@ -33,6 +33,7 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   blend: 'with its worker', // 0.1 s, of many measures 2 s
   prepareDress: 'in slices', // 2 s, the map of space
   dress: 'with its worker', // 1 s
+  placesOn: 'with its worker', // 0.3 s
   prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
   merge: 'with its worker', // 8 s
   mapRegions: 'with its worker', // 50 s for regions of 120,000 vertices

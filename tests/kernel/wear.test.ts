@@ -4,7 +4,7 @@ import { beforeAll, describe, expect, test } from 'vitest';
 import type { KernelPort } from '../../web/kernel/contract';
 import type { MeasureSpec } from '../../web/kernel/contract/wear';
 import { loadKernel } from '../../web/kernel/node';
-import { ball } from './balls';
+import { ball, belt } from './balls';
 
 let kernel: KernelPort;
 beforeAll(async () => {
@@ -59,18 +59,19 @@ test('a part takes the shape of another and leaves the rest', async () => {
 });
 
 describe('dressing', () => {
-  const belt = ball(20, 30, (x, y, z) => [1.05 * x, 0.5 * y, 1.05 * z]);
+  const garment = belt(1.05);
   const dress = async (offset: number) => {
-    const [garment, model] = [await kernel.call('openModel', belt), await kernel.call('openModel', stout)];
+    const opened = await kernel.call('openModel', garment);
+    const model = await kernel.call('openModel', stout);
     const prepared = await kernel.call('prepareDress', {
-      garment: garment.id,
+      garment: opened.id,
       triangles: slim.faceVertices,
       from: slim.positions,
       to: stout.positions,
       model: model.id,
     });
     // What a session needs it keeps.
-    await kernel.call('release', { id: garment.id });
+    await kernel.call('release', { id: opened.id });
     await kernel.call('release', { id: model.id });
     const dressed = await kernel.call('dress', { dress: prepared.id, offset });
     await kernel.call('release', { id: prepared.id });
@@ -81,7 +82,7 @@ describe('dressing', () => {
     for (const offset of [0, 0.1, -0.05]) {
       const { positions, after } = await dress(offset);
       expect(after.vertices).toBe(0);
-      expect(positions).toHaveLength(belt.positions.length);
+      expect(positions).toHaveLength(garment.positions.length);
       expect(positions.every(Number.isFinite)).toBe(true);
     }
   });

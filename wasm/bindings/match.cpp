@@ -25,6 +25,10 @@ lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& 
     lissom::MatchOptions options;
     if (const val start = given["start"]; !start.isUndefined())
         options.start = named<lissom::MatchStart>(start, "start", {{"automatic", lissom::MatchStart::automatic}, {"similarity", lissom::MatchStart::similarity}, {"radial", lissom::MatchStart::radial}});
+    if (const val method = given["method"]; !method.isUndefined())
+        options.method = named<lissom::MatchMethod>(method, "method", {{"graph", lissom::MatchMethod::graph}, {"paper", lissom::MatchMethod::paper}});
+    read(given, "adapt", options.adapt);
+    read(given, "sharpAngle", options.sharp_angle);
     read(given, "edgeLength", options.edge_length);
     options.edge_length /= source.scale * lissom::surface_size(source.mesh).size;
     return options;
@@ -32,7 +36,14 @@ lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& 
 
 std::vector<lissom::MatchModel> match_models(const std::vector<std::shared_ptr<lissom::WorkingMesh>>& models, const val& marked) {
     std::vector<lissom::MatchModel> all;
-    for (std::size_t k = 0; k < models.size(); ++k) all.push_back({models[k].get(), points(marked[k]["markers"])});
+    for (std::size_t k = 0; k < models.size(); ++k) {
+        const val one = marked[k];
+        lissom::MatchModel model{models[k].get(), points(one["markers"])};
+        model.ignored = indices(one["ignored"]);
+        for (const val& curve : vecFromJSArray<val>(one["curves"])) model.curves.push_back(points(curve));
+        for (const val& chain : vecFromJSArray<val>(one["sharp"])) model.sharp.push_back(indices(chain));
+        all.push_back(std::move(model));
+    }
     return all;
 }
 
@@ -78,6 +89,13 @@ val skin_figures(const lissom::SkinReport& skin) {
     result.set("flipped", skin.flipped);
     result.set("folds", skin.folds);
     result.set("selfIntersections", skin.crossings);
+    if (skin.sharp_curves > 0) {
+        val sharp = val::object();
+        sharp.set("curves", skin.sharp_curves);
+        sharp.set("failed", skin.sharp_failed);
+        sharp.set("error", skin.sharp_error);
+        result.set("sharp", sharp);
+    }
     return result;
 }
 
@@ -101,13 +119,14 @@ val result(const HeldMatch& held) {
         for (const lissom::SkinReport& skin : report.skins) {
             figures.call<void>("push", skin_figures(skin));
             residuals.call<void>("push", typed_array(skin.residuals.data(), skin.residuals.size()));
-            poorest.call<void>("push", uint32_array(nullptr, 0));
+            poorest.call<void>("push", uint32_array(skin.worst.data(), skin.worst.size()));
         }
         val seconds = val::object();
         seconds.set("start", report.seconds.start);
         seconds.set("carry", report.seconds.carry);
         seconds.set("fine", report.seconds.fine);
         seconds.set("connectivity", report.seconds.connectivity);
+        seconds.set("sharp", report.seconds.sharp);
         seconds.set("report", report.seconds.report);
         const lissom::Triangles& triangles = found.skins.triangles;
         val answer = val::object();

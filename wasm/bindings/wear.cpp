@@ -1,6 +1,7 @@
 #include "session.h"
 #include "lissom/wear/blend_session.h"
 #include "lissom/wear/dress_session.h"
+#include "lissom/wear/surface_places.h"
 
 #include <emscripten/bind.h>
 
@@ -128,9 +129,21 @@ val dress(HeldDress& held, double offset) {
     });
 }
 
+// placesOn(model, points: Float64Array) → SurfacePlaces
+val places_on(const std::shared_ptr<lissom::WorkingMesh>& model, const val& given) {
+    return guarded([&] {
+        const lissom::SurfacePlaces places = lissom::places_on({model->source, model->display}, points(given));
+        val result = val::object();
+        result.set("triangles", int32_array(places.triangle));
+        result.set("weights", float64_array(places.weights));
+        return result;
+    });
+}
+
 } // namespace
 
 EMSCRIPTEN_BINDINGS(wear) {
+    function("placesOn", &places_on);
     class_<HeldBlend>("BlendSession")
         .constructor(&prepare_blend, allow_raw_pointers())
         .function("step", &bindings::step<HeldBlend>)

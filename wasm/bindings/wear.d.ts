@@ -5,6 +5,7 @@ import type {
   PartSpec,
   PreparedBlend,
   PreparedDress,
+  SurfacePlaces,
 } from '../../web/kernel/contract/wear';
 import type { WasmObject, WasmWorkingMesh } from './model';
 
@@ -21,6 +22,7 @@ export interface WearModule {
     to: Float64Array,
     model: WasmWorkingMesh | null,
   ) => WasmDressSession;
+  placesOn(model: WasmWorkingMesh, points: Float64Array): SurfacePlaces;
 }
 
 export interface WasmBlendSession extends WasmObject {

@@ -42,9 +42,10 @@ export class Workspaces implements WorkspaceService {
 
   async goOn(workspace: WorkspaceId): Promise<void> {
     const { document, wings } = this.parts;
-    const from = this.openModel();
+    // Of several results the one, or all of them.
+    const from = [this.openModel(), document.selection.step];
     const held = document.recipe.steps.findLast(
-      (step) => stepRow(step.type).workspace === workspace && mainInput(step) === from,
+      (step) => stepRow(step.type).workspace === workspace && from.includes(mainInput(step)),
     );
     if (held) document.openStep(held.id);
     else await (await wings().load(workspace)).start();

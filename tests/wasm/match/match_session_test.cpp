@@ -282,6 +282,58 @@ TEST_CASE("few, flat, one-sided and crowded markers give a finite match") {
     (void)check("all in one place", same_from, same_to);
 }
 
+TEST_CASE("the paper's own loop: markers met, edges of all skins alike, an end; and what it cannot do is told") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.5, 3);
+    const MatchResult result = matched(a, b, some(a), some(b), {.method = MatchMethod::paper});
+    const MatchReport& report = result.report;
+    MESSAGE("paper's loop: skin to model " << report.skins[1].distances.mean_there << ", back " << report.skins[1].distances.mean_back << ", 99 % " << report.skins[1].distances.most << ", crossings "
+                                           << report.skins[1].crossings << ", folds " << report.skins[1].folds << ", " << result.skins.vertex_count() << " vertices");
+    CHECK(report.marker_error < 1e-12);
+    CHECK(report.skins[1].distances.mean_there < 5e-3);
+    CHECK(report.skins[1].distances.mean_back < 0.02);
+    CHECK(euler_characteristic(result.skins.mesh(0)) == 2);
+    CHECK(result.skins.vertex_count() <= 4 * a.vertex_count());
+    CHECK(report.connectivity.any());
+    // A box around a figure with arms: the loop ends, within the vertices allowed.
+    TriangleMesh box = shapes::box(14, 14, 14, {2.6, 2.6, 2.6});
+    box.points.col(1).array() -= 1.3;
+    const MatchResult from_box = matched(box, b, Points(0, 3), Points(0, 3), {.method = MatchMethod::paper, .most_vertices = 3000});
+    CHECK(from_box.skins.vertex_count() <= 3000);
+    CHECK(from_box.skins.points[1].allFinite());
+}
+
+TEST_CASE("first skins: a remesh, a wrap around a torn source, and the paper's simple shapes") {
+    const TriangleMesh a = figure(0, 4), b = figure(0.5, 4);
+    const MatchResult even = matched(a, b, some(a), some(b), {.first = FirstSkin::remesh, .edge_length = 0.05});
+    CHECK(even.skins.vertex_count() < a.vertex_count());
+    CHECK(even.report.marker_error < 1e-12);
+    for (const SkinReport& skin : even.report.skins) {
+        CHECK(skin.crossings == 0);
+        CHECK(skin.distances.mean_there < 2e-3);
+        CHECK(skin.distances.mean_back < 2e-3);
+    }
+    const TriangleMesh torn = shapes::soup(a, 1e-4 * diagonal(a.points));
+    const MatchResult wrapped = matched(torn, b, some(a), some(b), {.first = FirstSkin::wrap, .edge_length = 0.04});
+    MESSAGE("wrapped soup: source's skin " << wrapped.report.skins[0].distances.mean_there << ", back " << wrapped.report.skins[0].distances.mean_back << ", 99 % " << wrapped.report.skins[0].distances.most
+                                           << ", target's " << wrapped.report.skins[1].distances.mean_back << ", " << wrapped.skins.vertex_count() << " vertices");
+    CHECK(boundary_loops(wrapped.skins.mesh(1)).empty());
+    CHECK(euler_characteristic(wrapped.skins.mesh(1)) == 2);
+    for (const SkinReport& skin : wrapped.report.skins) {
+        CHECK(skin.crossings == 0);
+        CHECK(skin.distances.mean_there < 2e-3);
+        CHECK(skin.distances.mean_back < 2e-3);
+    }
+    const TriangleMesh egg = shapes::bumpy_sphere(4);
+    for (const FirstSkin first : {FirstSkin::box, FirstSkin::sphere}) {
+        const MatchResult shape = matched(egg, egg, Points(0, 3), Points(0, 3), {.first = first, .edge_length = 0.05});
+        CHECK(shape.report.skins[1].distances.mean_back < 3e-3);
+        CHECK(shape.report.skins[1].crossings == 0);
+    }
+    const MatchResult ring = matched(shapes::torus(64, 32), shapes::torus(48, 24), Points(0, 3), Points(0, 3), {.first = FirstSkin::torus, .edge_length = 0.05});
+    CHECK(ring.report.skins[1].distances.mean_back < 3e-3);
+    CHECK(euler_characteristic(ring.skins.mesh(0)) == 0);
+}
+
 TEST_CASE("masks: an arm that the target alone has is left out, an arm that the source alone has keeps its shape") {
     const TriangleMesh a = figure(0, 4);
     // The same without its first arm: pressed flat onto the ball.
@@ -404,6 +456,59 @@ TEST_CASE("what is wrong with markers is said") {
     REQUIRE(has(report, "markers-swapped"));
     Points away = 1.5 * some(a);
     CHECK(has(matched(a, b, away, some(b), quick).report, "markers-moved"));
+}
+
+TEST_CASE("models of different kinds are matched all the same, and told to be") {
+    const MatchOptions quick{.levels = 2, .fine_steps = 4};
+    const TriangleMesh ball = shapes::bumpy_sphere(3);
+    const auto report_of = [&](const TriangleMesh& a, const TriangleMesh& b) {
+        const MatchResult result = matched(a, b, Points(0, 3), Points(0, 3), quick);
+        CHECK(result.skins.points[1].allFinite());
+        return result.report;
+    };
+    const MatchReport genus = report_of(ball, shapes::torus());
+    CHECK(has(genus, "genus-differs"));
+    CHECK_FALSE(has(genus, "pieces-differ"));
+    CHECK(has(report_of(shapes::torus(), shapes::double_torus(3)), "genus-differs"));
+    for (const auto& [a, b] : {std::pair(ball, shapes::two_spheres(3)), std::pair(shapes::two_spheres(3), ball)}) CHECK(has(report_of(a, b), "pieces-differ"));
+    for (const auto& [a, b] : {std::pair(ball, shapes::bumpy_sheet(16, 16)), std::pair(shapes::bumpy_sheet(16, 16), ball)}) CHECK(has(report_of(a, b), "borders-differ"));
+    const MatchReport same = report_of(ball, shapes::bumpy_sphere(2));
+    for (const char* code : {"genus-differs", "pieces-differ", "borders-differ", "poses-differ", "markers-one-sided"}) CHECK_FALSE(has(same, code));
+    CHECK_FALSE(has(report_of(ball, shapes::soup(ball)), "pieces-differ"));
+}
+
+TEST_CASE("markers on one side, markers in one place and two hundred markers are told and survived") {
+    const TriangleMesh a = figure(0, 3), b = figure(0.4, 3);
+    const MatchOptions quick{.levels = 2, .fine_steps = 4};
+    std::vector<int> side;
+    for (int v = 0; v < a.vertex_count() && side.size() < 9; v += 3)
+        if (a.points(v, 0) > 0.3) side.push_back(v);
+    const auto places = [](const TriangleMesh& mesh, const std::vector<int>& list) {
+        Points rows(std::ssize(list), 3);
+        for (std::size_t k = 0; k < list.size(); ++k) rows.row(static_cast<Eigen::Index>(k)) = mesh.points.row(list[k]);
+        return rows;
+    };
+    CHECK(has(matched(a, b, places(a, side), places(b, side), quick).report, "markers-one-sided"));
+    CHECK_FALSE(has(matched(a, b, some(a), some(b), quick).report, "markers-one-sided"));
+
+    std::vector<int> twice{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 4, 7}, clash = twice;
+    clash[12] = 100; // one place on the source, two on the target
+    for (const auto& on_target : {twice, clash}) {
+        const MatchResult result = matched(a, b, places(a, twice), places(b, on_target), quick);
+        REQUIRE(has(result.report, "markers-coincide"));
+        CHECK(result.marker_vertices[12] == result.marker_vertices[4]);
+        CHECK(result.marker_vertices[13] == result.marker_vertices[7]);
+        CHECK(result.report.marker_error < 1e-12);
+        CHECK(result.report.skins[1].crossings == 0);
+    }
+
+    std::vector<int> many;
+    for (int k = 0; k < 200; ++k) many.push_back(3 * k);
+    const MatchResult result = matched(a, b, places(a, many), places(b, many), quick);
+    CHECK(result.report.marker_error < 1e-12);
+    CHECK(result.report.skins[1].crossings == 0);
+    CHECK(result.report.skins[1].distances.mean_there < 2e-3);
+    CHECK(std::find(result.marker_vertices.begin(), result.marker_vertices.end(), -1) == result.marker_vertices.end());
 }
 
 TEST_CASE("a match may be stopped at any step and still has skins and a report") {

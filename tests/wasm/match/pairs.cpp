@@ -47,9 +47,16 @@ Points places(const TriangleMesh& mesh, const std::vector<int>& vertices) {
 }
 
 Matched run(const TriangleMesh& source, const TriangleMesh& target, const Points& from, const Points& to, const MatchOptions& options) {
-    const WorkingMesh a = shapes::working(source), b = shapes::working(target);
+    return run({source, target}, {from, to}, options);
+}
+
+Matched run(const std::vector<TriangleMesh>& models, const std::vector<Points>& markers, const MatchOptions& options) {
+    std::vector<WorkingMesh> working;
+    for (const TriangleMesh& mesh : models) working.push_back(shapes::working(mesh));
+    std::vector<MatchModel> given;
+    for (std::size_t k = 0; k < models.size(); ++k) given.push_back({&working[k], markers[k]});
     Stopwatch watch;
-    MatchSession session({{&a, from}, {&b, to}}, options);
+    MatchSession session(given, options);
     while (session.step()) {
     }
     Matched matched{session.result(), 0};
@@ -57,8 +64,8 @@ Matched run(const TriangleMesh& source, const TriangleMesh& target, const Points
     return matched;
 }
 
-Error error(const SkinSet& skins, const TriangleMesh& source, const TriangleMesh& target) {
-    const TriangleMesh skin = skins.mesh(0), other = skins.mesh(1);
+Error error(const SkinSet& skins, const TriangleMesh& source, const TriangleMesh& target, int from, int to) {
+    const TriangleMesh skin = skins.mesh(from), other = skins.mesh(to);
     const SurfaceSamples samples = sample_surface(skin, 20000);
     const Points here = samples.on(skin), there = samples.on(other);
     const TriangleTree tree(source);

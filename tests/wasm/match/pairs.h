@@ -22,12 +22,16 @@ struct Matched {
 };
 [[nodiscard]] Matched run(const lissom::TriangleMesh& source, const lissom::TriangleMesh& target, const lissom::Points& from, const lissom::Points& to, const lissom::MatchOptions& options = {});
 
+/// Any number of models at once, the source first.
+[[nodiscard]] Matched run(const std::vector<lissom::TriangleMesh>& models, const std::vector<lissom::Points>& markers, const lissom::MatchOptions& options = {});
+
 /// How far the target's skin is from the truth, as shares of the target's diagonal, over samples of the source's skin that each stand for the same area.
 struct Error {
     double mean, most;
 };
 /// @param source,target  two members of a family: vertex i is vertex i; the skins lie on them
-[[nodiscard]] Error error(const lissom::SkinSet& skins, const lissom::TriangleMesh& source, const lissom::TriangleMesh& target);
+/// @param from,to  which of the skins lie on them
+[[nodiscard]] Error error(const lissom::SkinSet& skins, const lissom::TriangleMesh& source, const lissom::TriangleMesh& target, int from = 0, int to = 1);
 
 /// One line of figures.
 [[nodiscard]] std::string figures(const Matched& matched);

@@ -4,6 +4,7 @@
 #include "lissom/match/fine_fit.h"
 #include "lissom/match/folds.h"
 #include "lissom/match/marker_curves.h"
+#include "lissom/match/particles.h"
 #include "lissom/match/skin_carrier.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
@@ -14,11 +15,13 @@
 #include "match_report.h"
 #include "placed_model.h"
 #include "sharp_finish.h"
+#include "skin_beginning.h"
 
 #include <algorithm>
 #include <deque>
 #include <limits>
 #include <optional>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -43,6 +46,12 @@ constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
+constexpr int k_particle_passes = 60;
+constexpr double k_particle_share = 0.1;   // of the edges that should change, in a pass of the paper's loop
+constexpr double k_particles_rest = 1e-3;  // of L: particles that move less in the mean have arrived
+constexpr double k_coincide = 0.05; // of L: markers nearer to one another are the same
+constexpr double k_posed = 0.25; // misfit of the similarity: heads 0.11, bodies in one pose 0.05, walking 0.43
+constexpr double k_one_sided = 0.02; // of the size, beyond the middle
 constexpr double k_held_back = 1e-3; // of L: rounding is less
 constexpr double k_snap = 0.5; // of L: a marker so near to a sharp curve is meant to be on it
 constexpr double k_off_surface = 0.01; // of the size: a marker farther from its model is worth a word
@@ -53,6 +62,7 @@ void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
     if (!(o.edge_length >= 0 && o.edge_length < 1)) refuse("The edge length is " + std::to_string(o.edge_length) + " of the source's size; it must be below 1, or 0 for its own.");
     if (o.levels < 1 || o.levels > 4) refuse("The number of levels is " + std::to_string(o.levels) + "; it must be between 1 and 4.");
     if (o.fine_steps < 1 || o.fine_steps > 60) refuse("The number of fine steps is " + std::to_string(o.fine_steps) + "; it must be between 1 and 60.");
+    if (o.genus < 0 || o.genus > 1000) refuse("The genus is " + std::to_string(o.genus) + "; it must be between 0 and 1000.");
     if (!(o.sharp_angle >= 0 && o.sharp_angle < 180)) refuse("The sharp angle is " + std::to_string(o.sharp_angle) + " degrees; it must be 0 or more and below 180.");
     if (!(o.adapt >= 0 && o.adapt <= 1)) refuse("How far lengths adapt is " + std::to_string(o.adapt) + "; it must be between 0 and 1.");
     if (o.most_vertices < 0) refuse("The most vertices a skin may have are " + std::to_string(o.most_vertices) + "; give 0 or more.");
@@ -68,6 +78,31 @@ void check_curves(const std::vector<MatchModel>& models) {
                 throw InvalidInput("bad-curve", "Marker curve " + std::to_string(c + 1) + " has no length, or a coordinate that is not a finite number. Draw it again.");
         }
     }
+}
+
+/// What nothing can be right about whatever the markers are: codes of what a source and a target differ in.
+std::vector<const char*> differences(const PlacedModel& a, const PlacedModel& b) {
+    std::vector<const char*> found;
+    if (a.is_loose() || b.is_loose()) return found; // pieces, holes and tunnels of these mean nothing
+    const WorkingMesh &s = a.working, &t = b.working;
+    if (s.component_count != t.component_count) found.push_back("pieces-differ");
+    if (s.closed != t.closed) found.push_back("borders-differ");
+    const auto tunnels = [](const WorkingMesh& m) { return 2 * m.component_count - m.boundary_loop_count - m.euler_characteristic; };
+    if (s.oriented && t.oriented && s.component_count == t.component_count && tunnels(s) != tunnels(t)) found.push_back("genus-differs");
+    return found;
+}
+
+/// Whether a plane through a place has all markers on one side of it, by some margin: a perceptron.
+bool one_sided(const Points& markers, double margin) {
+    constexpr int rounds = 200;
+    Vector3d direction = markers.colwise().mean();
+    for (int round = 0; round < rounds; ++round) {
+        Eigen::Index worst = 0;
+        const double least = (markers * direction).minCoeff(&worst);
+        if (least > margin * direction.norm()) return true;
+        direction += markers.row(worst).transpose();
+    }
+    return false;
 }
 
 /// What a model is called in a sentence.
@@ -104,11 +139,12 @@ struct Fitted {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { start, carry, untangle, fine, edges, relax, project, sharp, done };
+    enum class Stage { first, start, particles, carry, untangle, fine, edges, relax, project, sharp, done };
 
     MatchOptions options;
     std::deque<Fitted> models{}; ///< the source first
 
+    std::optional<SkinBeginning> beginning{};
     SkinSet skins{};
     std::optional<MarkerCurves> curves{};
     std::vector<char> masked{}; ///< per vertex of the skins: the source ignores where it is; empty: none
@@ -116,11 +152,13 @@ struct MatchSession::State {
     std::optional<FineFit> fine{}; ///< of all skins, for it knows the triangles alone
     ConnectivityOptions edges{};
 
-    Stage stage = Stage::start;
+    Stage stage = Stage::first;
     int carries = 0, carried = 0;  ///< slices of carrying: all, and done
     int iteration = 0, model = 1; ///< which skin the next slice is about
     ConnectivityChange changes{};
+    double moved = 0;         ///< the farthest mean way of a skin's particles in this pass
     std::vector<int> refused; ///< steps, per model
+    std::vector<int> used_marker{}; ///< per marker that was given, the number of the one that stands for it
     bool full = false, settled = false; ///< no more splits; no more changes of edges
     std::vector<MatchWarning> warnings{};
     MatchSeconds seconds{};
@@ -149,10 +187,40 @@ struct MatchSession::State {
         if (off.count > 0) warnings.push_back(std::move(off));
     }
 
+    /// Of markers that coincide on any model only the first is used: a vertex cannot be at two places, nor two at one.
+    void leave_out_coinciding() {
+        const Eigen::Index n = source().markers.rows();
+        std::vector<Eigen::Index> used;
+        for (int k = 0; k < count(); ++k) {
+            MatchWarning same{"markers-coincide", k, 0, {}};
+            const Points& markers = models[static_cast<std::size_t>(k)].markers;
+            for (Eigen::Index i = 0; i < n; ++i)
+                for (Eigen::Index j = 0; j < i; ++j)
+                    if ((markers.row(i) - markers.row(j)).norm() < k_coincide * edges.edge_length) {
+                        ++same.count;
+                        if (same.examples.size() + 2 <= 8) same.examples.insert(same.examples.end(), {static_cast<int>(j), static_cast<int>(i)});
+                        break;
+                    }
+            if (same.count > 0) warnings.push_back(std::move(same));
+        }
+        for (Eigen::Index i = 0; i < n; ++i) {
+            int stands_for = static_cast<int>(used.size());
+            for (std::size_t u = 0; u < used.size() && stands_for == std::ssize(used); ++u)
+                for (const Fitted& each : models)
+                    if ((each.markers.row(i) - each.markers.row(used[u])).norm() < k_coincide * edges.edge_length) stands_for = static_cast<int>(u);
+            if (stands_for == std::ssize(used)) used.push_back(i);
+            used_marker.push_back(stands_for);
+        }
+        for (Fitted& each : models) each.markers = Points(each.markers(used, Eigen::all));
+    }
+
     void align() {
         // Counted and looked at before they are brought anywhere.
         for (const Fitted& target : models) (void)align_markers(source().markers, target.markers, MatchStart::similarity);
         for (int k = 0; k < count(); ++k) bring_onto_surface(k);
+        leave_out_coinciding();
+        for (int k = 0; k < count(); ++k)
+            if (const Points& markers = models[static_cast<std::size_t>(k)].markers; markers.rows() >= 4 && one_sided(markers, k_one_sided)) warnings.push_back({"markers-one-sided", k, 1, {}});
         for (int k = 1; k < count(); ++k) {
             MarkerAlignment& found = models[static_cast<std::size_t>(k)].alignment;
             found = align_markers(source().markers, models[static_cast<std::size_t>(k)].markers, options.start);
@@ -160,12 +228,21 @@ struct MatchSession::State {
             if (found.mirrored) warn("markers-mirrored", {});
             if (found.swapped) warn("markers-swapped", {found.swapped->first, found.swapped->second});
             if (source().markers.rows() >= 4 && found.flatness < k_flat_markers) warn("markers-flat", {});
+            if (!found.mirrored && found.misfit > k_posed) warn("poses-differ", {});
+            for (const char* code : differences(source().placed, models[static_cast<std::size_t>(k)].placed)) warn(code, {});
         }
     }
 
-    /// The source's mesh is the first skin; each marker takes the nearest vertex that is still free and moves it onto its place.
+    void begin() {
+        if (!beginning) beginning.emplace(source().placed, options.first, options.genus, edges.edge_length, options.adapt, source().sharp.curves());
+        if (beginning->step()) return;
+        warnings.insert(warnings.end(), beginning->warnings().begin(), beginning->warnings().end());
+        next(Stage::start);
+    }
+
+    /// The first skin, and what becomes of it on each model; each marker takes the nearest vertex that is still free and moves it onto its place.
     void make_skins() {
-        const TriangleMesh& mesh = source().placed.mesh();
+        const TriangleMesh& mesh = beginning->mesh();
         skins.triangles = mesh.triangles;
         skins.points.assign(models.size(), mesh.points);
         skins.marker.assign(static_cast<std::size_t>(mesh.vertex_count()), -1);
@@ -178,7 +255,7 @@ struct MatchSession::State {
                     least = d;
                     nearest = v;
                 }
-            if (nearest < 0) throw InvalidInput("marker-count", "There are more markers than the source has vertices. Remove some.");
+            if (nearest < 0) throw InvalidInput("marker-count", "There are more markers than the first skin has vertices. Remove some.");
             skins.marker[nearest] = static_cast<int>(i);
             first.row(nearest) = source().markers.row(i);
         }
@@ -186,12 +263,23 @@ struct MatchSession::State {
         curves.emplace(source().curves, source().surface(), edges.edge_length);
         for (Fitted& each : models) each.curve_places = curves->on(each.curves, each.surface());
         find_masked();
+        if (options.method == MatchMethod::paper) {
+            edges.share = k_particle_share;
+            for (int k = 1; k < count(); ++k) {
+                Points& points = skins.points[static_cast<std::size_t>(k)];
+                points = models[static_cast<std::size_t>(k)].alignment(first);
+                if (!points.allFinite()) throw SolverFailure("The markers bend the source beyond all numbers. Start by a similarity.");
+                for (int v = 0; v < skins.vertex_count(); ++v)
+                    if (skins.marker[v] >= 0) points.row(v) = models[static_cast<std::size_t>(k)].markers.row(skins.marker[v]);
+            }
+            return;
+        }
         const CarrySchedule schedule = carry_schedule(static_cast<int>(source().markers.rows()));
-        if (!source().sharp.empty()) {
+        if (!beginning->curves().empty()) {
             std::vector<int> fixed;
             for (int v = 0; v < skins.vertex_count(); ++v)
                 if (skins.marker[v] >= 0) fixed.push_back(v);
-            skins.curves.emplace(skins.vertex_count(), source().sharp.curves(), fixed, EdgeCurves::Along::edited);
+            skins.curves.emplace(skins.vertex_count(), beginning->curves(), fixed, EdgeCurves::Along::edited);
         }
         graphs.emplace(skins.mesh(0), schedule.radius, options.levels, options.seed);
         for (int k = 1; k < count(); ++k) {
@@ -285,6 +373,28 @@ struct MatchSession::State {
         present_points() = at.carrier->points();
     }
 
+    /// The paper's loop: the particles of all skins in tandem, the source's among them, then their edges (Skins 3.1, lines 5 to 9).
+    void reposition() {
+        const bool on_source = model == 0;
+        std::vector<char> held = on_source ? locked_on_source() : told();
+        Points& points = present_points();
+        const Points places = repositioned({points, skins.triangles}, present().surface(), held, ParticleWeights::at(iteration));
+        const double mean = (places - points).rowwise().norm().mean();
+        moved = on_source ? mean : std::max(moved, mean);
+        points = places;
+        if (++model < count()) return;
+        ConnectivityChange change;
+        if (options.connectivity) {
+            change = improve_connectivity(skins, edges);
+            changes += change;
+            full = full || skins.vertex_count() >= edges.most_vertices;
+            find_masked();
+        }
+        settled = moved < k_particles_rest * edges.edge_length && change.sum() <= k_settled * 3 * skins.vertex_count();
+        model = 0;
+        if (++iteration == k_particle_passes || settled) finish();
+    }
+
     void mend(int k, int rounds) {
         Points& points = skins.points[static_cast<std::size_t>(k)];
         TriangleMesh mesh{std::move(points), skins.triangles};
@@ -371,13 +481,19 @@ struct MatchSession::State {
     }
 
     /// The source's skin began on its model, and stays there even where that is masked.
-    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) { return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true); }
+    [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) {
+        if (source().placed.is_points()) return skin.points; // a surface drawn through points is rougher than the skin
+        return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true);
+    }
 
     void project() {
         take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
         if (next_model()) return;
         if (iteration == 0 && changes.any()) take_source_step(on_source(skins.mesh(0), k_projection_cosine));
-        if (++iteration < k_projections) return;
+        if (++iteration == k_projections) finish();
+    }
+
+    void finish() {
         next(has_sharp() ? Stage::sharp : Stage::done);
         model = 0;
     }
@@ -397,10 +513,21 @@ struct MatchSession::State {
     void advance() {
         Stopwatch watch;
         switch (stage) {
+        case Stage::first:
+            begin();
+            seconds.start += watch.lap();
+            if (stage == Stage::first) break;
+            [[fallthrough]];
         case Stage::start:
             make_skins();
-            next(Stage::carry);
+            beginning.reset();
+            next(options.method == MatchMethod::paper ? Stage::particles : Stage::carry);
+            if (options.method == MatchMethod::paper) model = 0;
             seconds.start += watch.lap();
+            break;
+        case Stage::particles:
+            reposition();
+            seconds.fine += watch.lap();
             break;
         case Stage::carry:
             carry();
@@ -467,6 +594,7 @@ struct MatchSession::State {
             warn("step-refused", k, refused[static_cast<std::size_t>(k)]);
         }
         warn("skins-full", -1, full);
+        warn("not-settled", -1, options.method == MatchMethod::paper && stage == Stage::done && !settled);
         found.connectivity = changes;
         found.seconds = seconds;
         found.seconds.report = watch.lap();
@@ -493,12 +621,15 @@ bool MatchSession::step() {
 double MatchSession::fraction() const {
     const State& s = *state_;
     // Shares of the time as measured; of a fine step where edges change as much goes into those.
-    constexpr double carried = 0.35, of_fit = 0.5;
+    const double begun = s.options.first == FirstSkin::copy ? 0 : 0.15, carried = 0.35;
+    constexpr double of_fit = 0.5;
     const double projected = s.has_sharp() ? 0.8 : 1, fitted = projected - 0.05;
     const auto fine_step = [&](double part) { return carried + (fitted - carried) * (s.iteration + part) / s.options.fine_steps; };
     switch (s.stage) {
-    case State::Stage::start: return 0;
-    case State::Stage::carry: return carried * s.carried / s.carries;
+    case State::Stage::first: return s.beginning ? begun * s.beginning->fraction() : 0;
+    case State::Stage::start: return begun;
+    case State::Stage::particles: return begun + (projected - begun) * (s.iteration + static_cast<double>(s.model) / s.count()) / k_particle_passes;
+    case State::Stage::carry: return begun + (carried - begun) * s.carried / s.carries;
     case State::Stage::untangle: return carried;
     case State::Stage::fine: return fine_step(of_fit * s.part_of_models());
     case State::Stage::edges: return fine_step(of_fit);
@@ -512,10 +643,12 @@ double MatchSession::fraction() const {
 
 MatchResult MatchSession::result() const {
     const State& s = *state_;
-    if (s.stage == State::Stage::start) throw InvalidInput("not-begun", "The match has not begun. Call step() first.");
-    MatchResult out{s.skins, std::vector<int>(static_cast<std::size_t>(s.models.front().markers.rows()), -1), s.report()};
+    if (s.skins.count() == 0) throw InvalidInput("not-begun", "The match has not begun. Call step() first.");
+    MatchResult out{s.skins, {}, s.report()};
+    std::vector<int> vertex(static_cast<std::size_t>(s.models.front().markers.rows()), -1);
     for (int v = 0; v < s.skins.vertex_count(); ++v)
-        if (const int m = s.skins.marker[v]; m >= 0) out.marker_vertices[m] = v;
+        if (const int m = s.skins.marker[v]; m >= 0) vertex[m] = v;
+    for (const int m : s.used_marker) out.marker_vertices.push_back(vertex[m]);
     for (int k = 0; k < s.count(); ++k) {
         out.skins.points[static_cast<std::size_t>(k)] = positions(k);
         if (!out.skins.points[static_cast<std::size_t>(k)].allFinite()) throw SolverFailure("The match ran out of numbers: a position is not finite. Try other markers.");

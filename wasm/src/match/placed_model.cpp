@@ -3,6 +3,7 @@
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/half_edges.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace lissom {
@@ -37,6 +38,12 @@ SurfaceSize size_of(const WorkingMesh& model, const std::string& which) {
 
 PlacedModel::PlacedModel(const WorkingMesh& model, const std::string& which)
     : working(model), size(size_of(model, which)), surface(at_unit_size(model, size), {!is_soup(model.mesh), model.oriented}) {}
+
+bool PlacedModel::is_points() const {
+    return std::any_of(working.findings.begin(), working.findings.end(), [](const Finding& finding) { return finding.code == "points-only"; });
+}
+
+bool PlacedModel::is_loose() const { return is_points() || is_soup(mesh()); }
 
 void PlacedModel::ignore(const std::vector<int>& source_vertices, const std::string& which) {
     if (source_vertices.empty()) return;

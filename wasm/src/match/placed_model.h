@@ -18,6 +18,11 @@ struct PlacedModel {
     /// Leaves source vertices out of the surface. @throws InvalidInput `bad-mask`
     void ignore(const std::vector<int>& source_vertices, const std::string& which);
 
+    /// Scattered points, with a surface drawn through them.
+    [[nodiscard]] bool is_points() const;
+    /// A soup, or a surface drawn through points: how it hangs together means nothing.
+    [[nodiscard]] bool is_loose() const;
+
     [[nodiscard]] const TriangleMesh& mesh() const { return surface.mesh(); }
     [[nodiscard]] Points inwards(const Points& places) const;
     [[nodiscard]] Points outwards(const Points& places) const;

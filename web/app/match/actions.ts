@@ -5,7 +5,7 @@ import { MatchEdits } from './edits';
 import { lacking } from './evaluation';
 import { Marking } from './marking';
 import { MatchModels } from './models';
-import type { PoorPlace } from './poor';
+import type { PoorPlace } from './result';
 import type { MatchState, PaneLook } from './state';
 
 /** Those of the step's fields that are set by controls. */

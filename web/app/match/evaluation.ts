@@ -95,5 +95,5 @@ const isMarked = ({ markers }: MatchStep): boolean => markers.filter(isWhole).le
 /** Markers that are set on every model: none at all will do, or three. */
 export function lacking({ markers }: Pick<MatchStep, 'markers'>): number {
   const { length } = markers.filter(isWhole);
-  return length === 0 ? 0 : Math.max(0, FEWEST_MARKERS - length);
+  return markers.length === 0 ? 0 : Math.max(0, FEWEST_MARKERS - length);
 }

@@ -12,6 +12,7 @@ import type { Vec3 } from '../../view/types';
 import { t } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import type { MatchEdits } from './edits';
+import { diagonalOf } from './size';
 import { curveItem, type MatchState } from './state';
 
 /** Shares of a model's size: what lies nearer to the plane of symmetry is its own mirror image; images may be so far off. */
@@ -132,7 +133,7 @@ export class Marking {
   #image(model: number, [x, y, z]: Vec3): Spot | null {
     const held = this.own.models.peek()[model];
     if (!held) return null;
-    const size = sizeOf(held.model.positions);
+    const size = diagonalOf(held.model.positions);
     if (Math.abs(x) < ON_PLANE * size) return null;
     const found = nearestSpot(held, [-x, y, z]);
     return found && found.distance < IMAGE * size ? found.spot : null;
@@ -154,28 +155,9 @@ export class Marking {
         const surface = this.own.models.peek()[model]!;
         const place = other[model] ?? null;
         const point = place === null ? null : pointOf(surface, place);
-        return point !== null && gap(point, image) < IMAGE * sizeOf(surface.model.positions);
+        return point !== null && gap(point, image) < IMAGE * diagonalOf(surface.model.positions);
       });
     const found = step.markers.findIndex(isImage);
     return found < 0 ? null : found;
   }
-}
-
-const sizes = new WeakMap<Float64Array, number>();
-
-/** Of the bounding box's diagonal. */
-export function sizeOf(positions: Float64Array): number {
-  let size = sizes.get(positions);
-  if (size === undefined) {
-    const low = [Infinity, Infinity, Infinity];
-    const high = [-Infinity, -Infinity, -Infinity];
-    for (const [i, x] of positions.entries()) {
-      if (!Number.isFinite(x)) continue;
-      low[i % 3] = Math.min(low[i % 3]!, x);
-      high[i % 3] = Math.max(high[i % 3]!, x);
-    }
-    size = Math.hypot(...low.map((x, k) => Math.max(0, high[k]! - x)));
-    sizes.set(positions, size);
-  }
-  return size;
 }

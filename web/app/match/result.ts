@@ -7,7 +7,6 @@ import { outputName, producedNames } from '../../recipe/references';
 import type { ReportOf, StepResult } from '../../run/results';
 import { matchQuality } from '../../run/steps/match';
 import type { Skin } from '../../view/match/types';
-import { type PoorPlace, poorPlaces } from './poor';
 
 /** One skin. Distances are shares of its model's diagonal. */
 export interface SkinQuality {
@@ -16,6 +15,18 @@ export interface SkinQuality {
   readonly folds: number;
   readonly crossings: number;
   readonly flipped: number;
+  /** Sharp edges of the model that it has no edges along. */
+  readonly sharp: number;
+}
+
+/** Where a skin lies poorly: a good place for another marker. */
+export interface PoorPlace {
+  /** Number of the model. */
+  readonly model: number;
+  /** The skins' vertex. */
+  readonly vertex: number;
+  /** In shares of the model's size. */
+  readonly distance: number;
 }
 
 export interface Matching {
@@ -34,6 +45,10 @@ export interface Matching {
   readonly seconds: number;
   readonly warnings: readonly Finding[];
 }
+
+/** Nearer ones are good enough; shares of the model's size. */
+const WORTH = 0.004;
+const MOST_POOR = 5;
 
 export function matchingOf(of: MatchStep, result: StepResult): Matching | null {
   const report = result.report as ReportOf<'match'>;
@@ -56,13 +71,20 @@ export function matchingOf(of: MatchStep, result: StepResult): Matching | null {
       folds: report.folds[name]!,
       crossings: report.selfIntersections[name]!,
       flipped: report.flipped[name]!,
+      sharp: report.sharp[name]?.failed ?? 0,
     })),
     residuals,
-    poor: poorPlaces(
-      result.inputs.map(({ model }) => model.positions),
-      skins,
-      residuals,
-    ),
+    poor: names
+      .flatMap((name, model) =>
+        [...known.poorest[name]!].map((vertex) => ({
+          model,
+          vertex,
+          distance: residuals[model]![vertex]!,
+        })),
+      )
+      .filter(({ distance }) => distance > WORTH)
+      .sort((a, b) => b.distance - a.distance)
+      .slice(0, MOST_POOR),
     markerError: report.markerError,
     seconds: Object.values(report.seconds).reduce((sum, each) => sum + each, 0),
     warnings: report.warnings,

@@ -17,15 +17,14 @@ import { PointerSwitch } from '../tools';
 import type { Mounted } from '../wing';
 import type { WingParts } from '../wing-parts';
 import type { MatchActions } from './actions';
-import { followGhosts } from './ghosts';
 import { AppMatchHost } from './host';
-import { sizeOf } from './marking';
 import { heatTop } from './result';
+import { diagonalOf } from './size';
 import type { MatchState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'settings' | 'panes' | 'runner' | 'messages'>;
 
-interface Synced {
+interface Synced extends Pick<Framing, 'again'> {
   readonly tools: Readonly<Record<string, Tool>>;
   readonly cancel: () => boolean;
   readonly stop: () => void;
@@ -38,7 +37,7 @@ export function mountMatch(
   actions: MatchActions,
 ): Mounted {
   const main = syncModel(0, viewport, parts, own, actions);
-  const frame = framing(viewport, () => own.models.peek().length > 0);
+  const frame = framing(viewport, own, 0);
   const others: Synced[] = [];
   const stops = [
     // As many panes as there are models beside the first; they stay while only what is in them changes.
@@ -55,8 +54,11 @@ export function mountMatch(
       // Of another step, or of other models, nothing is looked at.
       if (own.poor.value !== null && (!own.result.value || own.marker.value !== null)) own.poor.value = null;
     }),
-    followGhosts(own, parts),
-    frame,
+    () => frame.stop(),
+    // Among more or fewer each has another size.
+    effect(() => {
+      if (own.models.value.length > 0) for (const each of [frame, ...others]) each.again();
+    }),
   ];
   return {
     tools: main.tools,
@@ -82,12 +84,13 @@ function syncPane(
   const synced = syncModel(at, viewport, parts, own, actions);
   const pointer = new PointerSwitch(viewport, () => synced.tools[parts.state.tool.peek()], parts.settings);
   viewport.setPointerHandler(pointer);
-  const frame = framing(viewport, () => own.models.peek()[at] !== undefined);
+  const frame = framing(viewport, own, at);
   return {
     tools: synced.tools,
+    again: () => frame.again(),
     cancel: () => pointer.cancel(),
     stop: () => {
-      frame();
+      frame.stop();
       synced.stop();
       shown();
       show(null);
@@ -96,14 +99,30 @@ function syncPane(
   };
 }
 
-/** Frames what a viewport shows once it has its size beside the others. */
-function framing(viewport: ViewportPort, isThere: () => boolean): () => void {
-  let isFramed = false;
-  return viewport.onDraw(() => {
-    if (isFramed || viewport.size.width <= 1 || !isThere()) return;
-    isFramed = true;
+interface Framing {
+  /** Once more, as soon as the viewport has its new size. */
+  again(): void;
+  stop(): void;
+}
+
+/** Frames what a viewport shows once it has its size beside the others, and again when that is another one. */
+function framing(viewport: ViewportPort, own: MatchState, at: number): Framing {
+  let framed = '';
+  let isWanted = true;
+  const stop = viewport.onDraw(() => {
+    const { width, height } = viewport.size;
+    const size = `${width} ${height}`;
+    if (!isWanted || size === framed || width <= 1 || !own.models.peek()[at]) return;
+    framed = size;
+    isWanted = false;
     viewport.fit();
   });
+  return {
+    again: () => {
+      isWanted = true;
+    },
+    stop,
+  };
 }
 
 /** What is seen on a model in a viewport that shows it. */
@@ -113,7 +132,7 @@ function syncModel(
   parts: Parts,
   own: MatchState,
   actions: MatchActions,
-): Synced {
+): Omit<Synced, 'again'> {
   const { state } = parts;
   const host = new AppMatchHost(at, viewport, { ...parts, own, actions });
   const skin = viewport.mount(SKIN);
@@ -215,7 +234,7 @@ function frameAround(viewport: ViewportPort, own: MatchState, at: number, vertex
   if (!skin || !shown) return;
   const { positions } = shown.model;
   const [x, y, z] = skin.positions.subarray(3 * vertex, 3 * vertex + 3);
-  const reach = AROUND * sizeOf(positions);
+  const reach = AROUND * diagonalOf(positions);
   const near: number[] = [];
   for (let v = 0; v < positions.length / 3; v++)
     if (Math.hypot(positions[3 * v]! - x!, positions[3 * v + 1]! - y!, positions[3 * v + 2]! - z!) < reach)

@@ -9,6 +9,7 @@ import { MatchActions } from './actions';
 import { matchCommands, TOOLS } from './commands';
 import { matchStrategy, publishMatch } from './evaluation';
 import { skinsExport } from './exports';
+import { followGhosts } from './ghosts';
 import { MatchState } from './state';
 import { matchStatus } from './status';
 import { mountMatch } from './view-sync';
@@ -24,6 +25,7 @@ export function create(parts: WingParts): MatchWing {
   const { state } = parts;
   const own = new MatchState(parts);
   const actions = new MatchActions(parts, own);
+  const stop = followGhosts(own, parts);
   return {
     state: own,
     actions,
@@ -49,6 +51,7 @@ export function create(parts: WingParts): MatchWing {
       return own.result.value ? skinsExport(own) : undefined;
     },
     mount: (viewport) => mountMatch(viewport, parts, own, actions),
+    dispose: stop,
   };
 }
 

@@ -43,6 +43,8 @@ export interface SkinFigures {
   readonly folds: number;
   /** Triangles that cross another. */
   readonly selfIntersections: number;
+  /** Of a model with sharp edges: how many chains of them, how many of these found no edges of the skin, and how far off they lie at most. */
+  readonly sharp?: { readonly curves: number; readonly failed: number; readonly error: number };
 }
 
 /** Something to know about a match; `model` counts from 0, −1 stands for all. */
@@ -67,6 +69,7 @@ export interface Matched extends GrowingSkins {
     readonly carry: number;
     readonly fine: number;
     readonly connectivity: number;
+    readonly sharp: number;
     readonly report: number;
   };
   readonly peakBytes: number;

@@ -75,6 +75,14 @@ export interface Dressed {
   readonly seconds: { readonly dress: number };
 }
 
+/** Where points lie nearest on a model. */
+export interface SurfacePlaces {
+  /** Of each: one of the model's drawable triangles. */
+  readonly triangles: Int32Array;
+  /** Of each: 3 weights of its corners. */
+  readonly weights: Float64Array;
+}
+
 /** What skins of one connectivity are for (Skins 5): shapes between them, and what is worn on one carried to another. */
 export interface WearKernel {
   /** Factors what the parts are pasted by: once per set of parts. Codes: empty-part, whole-part, vertex-out-of-range. Reports progress. */
@@ -98,4 +106,7 @@ export interface WearKernel {
 
   /** The garment on the other body, with more or less ease. The fast half. */
   dress(args: { dress: KernelId; offset: number }): Dressed;
+
+  /** The places of a model nearest to points of its space: what is known of the model can be read there. */
+  placesOn(args: { model: KernelId; points: Float64Array }): SurfacePlaces;
 }

@@ -23,6 +23,8 @@ export function wearHandlers(wasm: KernelModule, registry: Registry): HandlersOf
       return prepared(session, job, registry, wasm);
     },
 
+    placesOn: ({ model, points }) => wasm.placesOn(registry.get(model, wasm.WorkingMesh), points),
+
     dress: ({ dress, offset }) => registry.get(dress, wasm.DressSession).dress(offset),
   };
 }

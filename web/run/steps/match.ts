@@ -5,10 +5,18 @@ import { type Model, vertexCount } from '../../core/model';
 import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
 import type { Matched, SkinFigures } from '../../kernel/contract/match';
 import { isDrawn, isWhole, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
+import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
+import { askedPoints, hasAttributes, readAttributes, type SkinAttributes } from './match/attributes';
 import { placePoints } from './match/places';
 import { matchQuestions } from './match/questions';
-import { type InputShape, type StepOutcome, type StepRunner, signalOf } from './step-runner';
+import {
+  type InputShape,
+  type StepContext,
+  type StepOutcome,
+  type StepRunner,
+  signalOf,
+} from './step-runner';
 
 /** With one or two markers it is open how the models are turned: none at all, or so many. */
 const FEWEST_MARKERS = 3;
@@ -21,6 +29,8 @@ export interface MatchFigures {
   readonly flipped: Readonly<Record<string, number>>;
   readonly folds: Readonly<Record<string, number>>;
   readonly selfIntersections: Readonly<Record<string, number>>;
+  /** By model, of those with sharp edges. */
+  readonly sharp: Readonly<Record<string, NonNullable<SkinFigures['sharp']>>>;
   readonly iterations: number;
 }
 
@@ -72,7 +82,8 @@ export const matchRunner = {
 
   async run(step, context): Promise<StepOutcome<MatchFigures>> {
     const { inputs, onProgress, onLook } = context;
-    const markers = step.markers.filter(isWhole);
+    const numbers = [...step.markers.keys()].filter((number) => isWhole(step.markers[number]!));
+    const markers = numbers.map((number) => step.markers[number]!);
     const curves = (step.curves ?? []).filter(isDrawn);
     const models = inputs.map(({ model, opened }, at) => ({
       model: opened.id,
@@ -91,7 +102,11 @@ export const matchRunner = {
       { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, start } },
       { ...signalOf(context), onProgress, ...(onLook && { onLook }) },
     );
-    const skins = step.models.map((name, at) => skinOf(name, matched, at));
+    const { triangles, attributes } = await carriedFrom(inputs[0]!, matched, context);
+    const skins = step.models.map((name, at) => ({
+      ...skinOf(name, triangles, matched.positions[at]!),
+      ...attributes,
+    }));
     const byName = <T>(value: (at: number) => T): Record<string, T> =>
       Object.fromEntries(step.models.map((name, at) => [name, value(at)]));
     qualities.set(skins[0]!, {
@@ -109,13 +124,18 @@ export const matchRunner = {
         flipped: byName((at) => figures[at]!.flipped),
         folds: byName((at) => figures[at]!.folds),
         selfIntersections: byName((at) => figures[at]!.selfIntersections),
+        sharp: Object.fromEntries(
+          step.models.flatMap((name, at) => (figures[at]!.sharp ? [[name, figures[at]!.sharp]] : [])),
+        ),
         iterations: matched.iterations,
       },
       seconds: { ...matched.seconds },
       peakBytes: matched.peakBytes,
       warnings: [
-        ...matched.warnings.map(({ model, ...rest }) => ({
+        ...matched.warnings.map(({ model, examples, ...rest }) => ({
           ...rest,
+          // The kernel counts the markers that are placed everywhere.
+          examples: rest.code.startsWith('markers-') ? examples.map((at) => numbers[at]!) : examples,
           ...(model >= 0 && { model: step.models[model]! }),
         })),
         ...leftOut(step),
@@ -139,15 +159,36 @@ const inputName = ({ models }: MatchStep, at: number): string => models[at]!;
 const indicesOf = (set: VertexSet, model: Model): Uint32Array =>
   isEmpty(set) ? new Uint32Array() : toIndices(set, vertexCount(model));
 
-function skinOf(name: string, { triangles, positions }: Matched, at: number): Model {
+function skinOf(name: string, triangles: Uint32Array, positions: Float64Array): Model {
   const count = triangles.length / 3;
   return {
     name: name.slice(name.lastIndexOf('/') + 1),
-    positions: positions[at]!,
+    positions,
     faceOffsets: Uint32Array.from({ length: count + 1 }, (_, face) => 3 * face),
     faceVertices: triangles,
   };
 }
+
+/** What the source has beside its shape, for every skin; its groups decide the order of their triangles. */
+async function carriedFrom(
+  source: ModelResult,
+  { triangles, positions }: Matched,
+  context: StepContext,
+): Promise<{ readonly triangles: Uint32Array; readonly attributes: SkinAttributes }> {
+  if (!hasAttributes(source.model)) return { triangles, attributes: {} };
+  const asked = askedPoints(positions[0]!, triangles);
+  const places = (points: Float64Array) =>
+    context.kernel.call('placesOn', { model: source.opened.id, points }, signalOf(context));
+  const { attributes, order } = readAttributes(source, asked, {
+    vertices: await places(asked.vertices),
+    corners: await places(asked.corners),
+    middles: await places(asked.middles),
+  });
+  return { triangles: order ? inOrder(triangles, order) : triangles, attributes };
+}
+
+const inOrder = (triangles: Uint32Array, order: Uint32Array): Uint32Array =>
+  Uint32Array.from(triangles, (_, corner) => triangles[3 * order[Math.floor(corner / 3)]! + (corner % 3)]!);
 
 /** @throws LissomError `index-out-of-range` */
 function checkPlace(place: MarkerPlace | null, path: string, input: InputShape): void {

@@ -1,8 +1,6 @@
 import { t, tCode } from '../../app/i18n';
-import type { PoorPlace } from '../../app/match/poor';
-import type { Matching, SkinQuality } from '../../app/match/result';
+import type { Matching, PoorPlace, SkinQuality } from '../../app/match/result';
 import type { Finding } from '../../core/errors';
-import { isWhole } from '../../recipe/steps/match';
 import { useApp } from '../context';
 import { CommandButton } from '../controls/command-button';
 import { Icon } from '../controls/icon';
@@ -10,7 +8,7 @@ import { Section } from '../controls/section';
 import { percent } from './percent';
 import { useMatch } from './use-match';
 
-const COUNTS = ['folds', 'crossings', 'flipped'] as const;
+const COUNTS = ['folds', 'crossings', 'flipped', 'sharp'] as const;
 
 /** How good the skins are, and where another marker would help. */
 export function QualityPanel() {
@@ -31,7 +29,7 @@ export function QualityPanel() {
       <p class="muted">
         {t('ui.match.figure.marker')} {percent(result.markerError)}
       </p>
-      <Findings result={result} />
+      <Findings />
       <Poor result={result} />
     </Section>
   );
@@ -83,7 +81,7 @@ function Faults({ quality }: { quality: SkinQuality }) {
 }
 
 /** What the match has to say, once for all models. */
-function Findings({ result }: { result: Matching }) {
+function Findings() {
   const { state } = useApp();
   const codes = [...new Set(state.warnings.value.map(({ code }) => code))];
   return codes.map((code) => {
@@ -92,17 +90,15 @@ function Findings({ result }: { result: Matching }) {
     return (
       <p key={code} class="note warn">
         <Icon name="triangle-alert" />
-        {tCode('finding.', code, 'finding.unknown', { count, numbers: numbersOf(found, result) })}
+        {tCode('finding.', code, 'finding.unknown', { count, numbers: numbersOf(found) })}
       </p>
     );
   });
 }
 
-/** Markers by the numbers that they have on screen: those that are not set everywhere were left out. */
-function numbersOf(found: readonly Finding[], { of }: Matching): string {
-  const numbers = of.markers.flatMap((marker, at) => (isWhole(marker) ? [at + 1] : []));
-  return found.flatMap(({ examples }) => examples.map((at) => numbers[at] ?? at + 1)).join(', ');
-}
+/** Markers by the numbers that they have on screen. */
+const numbersOf = (found: readonly Finding[]): string =>
+  found.flatMap(({ examples }) => examples.map((at) => at + 1)).join(', ');
 
 function Poor({ result: { poor, of } }: { result: Matching }) {
   const { state: own, actions: match } = useMatch();

@@ -21,7 +21,26 @@ struct MatchModel {
     std::vector<std::vector<int>> sharp = {}; ///< sharp edges that are picked: chains of vertices of the file, see `sharp_curves`
 };
 
+/// By which way skins come onto their models.
+enum class MatchMethod {
+    graph, ///< node graphs, then fits of all vertices at once, without crossings
+    paper  ///< the paper's own loop, particle by particle (Eq 1, 2), with a tenth of the edges a pass: to compare. Folds and crosses itself at thin parts
+};
+
+/// What the first skin is, over the source.
+enum class FirstSkin {
+    copy,   ///< the source itself
+    remesh, ///< the source in even triangles of the wanted edge length, its sharp edges kept
+    wrap,   ///< a closed surface around it: for soups, models with holes and points; see `Wrapper`
+    box,    ///< these as the paper has them, settled onto the source: for convex models. They fold, or stay webs, between limbs
+    sphere,
+    torus
+};
+
 struct MatchOptions {
+    FirstSkin first = FirstSkin::copy;
+    int genus = 0;             ///< tunnels that a wrap should have
+    MatchMethod method = MatchMethod::graph;
     MatchStart start = MatchStart::automatic;
     bool connectivity = true;  ///< false: the skins keep the source's triangles
     double edge_length = 0;    ///< L of the criteria, as a share of the source's size; 0: its mean edge length
@@ -66,15 +85,18 @@ struct MatchReport {
     double marker_error = 0;            ///< largest distance of a marker's vertex from its place on any skin, a share as above
     double flatness = 0;                ///< of the flattest markers
     ConnectivityChange connectivity;
-    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface),
+    std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface), `markers-one-sided`,
+                                        ///< `markers-coincide` (examples: pairs; the later of each is left out), `poses-differ` (pose one like the other first), `pieces-differ`, `borders-differ` (one
+                                        ///< is open, one closed), `genus-differs`,
                                         ///< `sharp-failed` (count: curves), `sharp-held-back` (count: 1; edges that could not be brought onto their curve without crossings),
-                                        ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`
+                                        ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`, `not-settled` (the paper's loop after its last pass);
+                                        ///< of the first skin `genus-missed` (count: what a wrap has), `webs` (count: vertices), `pieces-left-out`, `torus-guessed`, `first-full`
     MatchSeconds seconds;
 };
 
 struct MatchResult {
     SkinSet skins;                    ///< in the models' own spaces
-    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is
+    std::vector<int> marker_vertices; ///< the vertex of all skins that each marker is; of markers that coincide the same
     MatchReport report;
 };
 
@@ -103,11 +125,11 @@ public:
     bool step();
     [[nodiscard]] double fraction() const;
 
-    /// The skins as they are and what they are worth; before the last step with `stopped-early`.
+    /// The skins as they are and what they are worth; before the last step with `stopped-early`. @throws InvalidInput `not-begun`: there are none yet
     [[nodiscard]] MatchResult result() const;
 
     [[nodiscard]] const MarkerAlignment& alignment(int model) const; ///< of the source's markers with those of a target
-    /// Where a model's skin is now, in the model's space: to look on. Empty before the first step.
+    /// Where a model's skin is now, in the model's space: to look on. Empty before the first step, and while a first skin other than a copy is made.
     [[nodiscard]] Points positions(int model) const;
     [[nodiscard]] const Triangles& triangles() const;
 
