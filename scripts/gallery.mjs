@@ -48,6 +48,10 @@ const models = [
   ['pants', 'Pants', HUMAN],
   ['skirt', 'Skirt', HUMAN],
   ['shoe', 'Shoe', OWN],
+  ['torus', 'Ring', OWN],
+  ['nut', 'Nut', OWN],
+  ['bear', 'Toy bear', OWN],
+  ['rabbit', 'Rabbit', OWN],
 ];
 
 const examples = [

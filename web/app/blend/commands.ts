@@ -20,7 +20,7 @@ export function blendCommands(context: Context, own: BlendState, blend: BlendAct
   return [
     tool('pick-part', 'mouse-pointer-2', ['V']),
     tool('paint-part', 'paintbrush', ['B']),
-    tool('measure-girth', 'ruler', ['G']),
+    tool('measure-girth', 'ruler', ['T']),
     {
       id: 'blend.new-part',
       group,
