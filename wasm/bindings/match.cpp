@@ -69,10 +69,11 @@ bool advance(HeldMatch& held) {
     });
 }
 
-// look() → GrowingSkins
+// look() → GrowingSkins, or undefined before there are any
 val look(const HeldMatch& held) {
     return guarded([&] {
         const lissom::Triangles& triangles = held.session.triangles();
+        if (triangles.rows() == 0) return val::undefined();
         val positions = val::array();
         for (std::size_t k = 0; k < held.models.size(); ++k) positions.call<void>("push", float64_array(held.session.positions(static_cast<int>(k))));
         val result = val::object();

@@ -114,6 +114,7 @@ struct MatchSession::State {
         for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], o.sharp_angle, name_of(k, given.size()));
         edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(source().placed.mesh());
         edges.adapt = options.adapt;
+        if (options.first == FirstSkin::automatic) options.first = source().placed.is_loose() ? FirstSkin::wrap : FirstSkin::copy;
     }
 
     [[nodiscard]] int count() const { return static_cast<int>(models.size()); }

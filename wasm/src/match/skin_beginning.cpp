@@ -24,6 +24,7 @@ SkinBeginning::SkinBeginning(const PlacedModel& source, const std::vector<EdgeCu
     const double edge_length = std::max(options.edge_length, shortest);
     if (kind != FirstSkin::copy) warn("first-full", options.edge_length < shortest);
     switch (kind) {
+    case FirstSkin::automatic:
     case FirstSkin::copy:
         mesh_ = model;
         curves_ = curves;
