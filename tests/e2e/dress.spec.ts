@@ -74,7 +74,7 @@ test('a sleeve that was made for a slim figure is worn by a stout one', async ({
   const first = await worn(desk);
   expect(first.problem).toBeNull();
   expect(first.step).toMatchObject({ garment: 'sleeve', from: 'slim', to: 'stout' });
-  expect(first.wearer).toBe('stout');
+  expect(first.wearer).toBe('stout.obj');
   expect(first.figures!.after).toBe(0);
   expect(girth(first.positions)).toBeGreaterThan(1.15 * girth(first.rest));
   await expect(page.getByText('Places inside the body')).toBeVisible();
@@ -117,7 +117,7 @@ test('a sleeve that was made for a slim figure is worn by a stout one', async ({
     await page.getByRole('button', { name: 'Fit it to the next body' }).click();
     const next = await worn(desk);
     expect(next.step).toMatchObject({ id: 'dress 2', to: 'tall' });
-    expect(next.wearer).toBe('tall');
+    expect(next.wearer).toBe('tall.obj');
     expect(next.figures!.after).toBe(0);
     await page.getByLabel('Worn by').selectOption('stout');
     const both = await worn(desk);

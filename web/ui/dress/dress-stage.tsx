@@ -16,7 +16,8 @@ export function DressStage() {
       <Pane index={0} class="made-for">
         {source && (
           <p class="pane-label">
-            <span class="muted">{t('ui.dress.from')}</span> {source.model.name}
+            <span class="muted">{t('ui.dress.from')}</span>{' '}
+            {choosing ? source.model.name : (own.step.value?.from ?? source.model.name)}
           </p>
         )}
       </Pane>
