@@ -149,6 +149,7 @@ test('two fruits get one connectivity: marked, suggested, matched, moved, undone
     await page.waitForFunction(() => window.__lissom.app.state.saved.peek().kind === 'saved');
     await page.reload();
     await desk.ready();
+    await page.getByRole('navigation').getByRole('button', { name: 'Match', exact: true }).click();
     await page.waitForFunction(() => {
       const wing = window.__lissom.app.wings.get('match') as MatchWing | undefined;
       return wing?.state.result.peek();
