@@ -25,6 +25,10 @@ lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& 
     lissom::MatchOptions options;
     if (const val start = given["start"]; !start.isUndefined())
         options.start = named<lissom::MatchStart>(start, "start", {{"automatic", lissom::MatchStart::automatic}, {"similarity", lissom::MatchStart::similarity}, {"radial", lissom::MatchStart::radial}});
+    if (const val first = given["first"]; !first.isUndefined())
+        options.first = named<lissom::FirstSkin>(first, "first skin", {{"copy", lissom::FirstSkin::copy}, {"remesh", lissom::FirstSkin::remesh}, {"wrap", lissom::FirstSkin::wrap},
+                                                                        {"box", lissom::FirstSkin::box}, {"sphere", lissom::FirstSkin::sphere}, {"torus", lissom::FirstSkin::torus}});
+    read(given, "genus", options.genus);
     if (const val method = given["method"]; !method.isUndefined())
         options.method = named<lissom::MatchMethod>(method, "method", {{"graph", lissom::MatchMethod::graph}, {"paper", lissom::MatchMethod::paper}});
     read(given, "adapt", options.adapt);
@@ -65,10 +69,11 @@ bool advance(HeldMatch& held) {
     });
 }
 
-// look() → GrowingSkins
+// look() → GrowingSkins, or undefined before there are any
 val look(const HeldMatch& held) {
     return guarded([&] {
         const lissom::Triangles& triangles = held.session.triangles();
+        if (triangles.rows() == 0) return val::undefined();
         val positions = val::array();
         for (std::size_t k = 0; k < held.models.size(); ++k) positions.call<void>("push", float64_array(held.session.positions(static_cast<int>(k))));
         val result = val::object();

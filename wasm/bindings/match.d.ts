@@ -26,8 +26,8 @@ export interface WasmMatchSession extends WasmObject {
   /** One slice; true while there is more. */
   step(): boolean;
   fraction(): number;
-  /** The skins as they are. */
-  look(): GrowingSkins;
+  /** The skins as they are; `undefined` before there are any. */
+  look(): GrowingSkins | undefined;
   /** Once nothing is left to do. */
   result(): Omit<Matched, 'peakBytes'>;
 }

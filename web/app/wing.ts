@@ -98,6 +98,8 @@ export interface Wing {
   escape?(): boolean;
   /** Vertices of the selected item, to frame them; `undefined` where nothing is selected. */
   selected?(): Uint32Array | undefined;
+  /** Frames what it shows beside the main viewport, where that is framed. */
+  fit?(): void;
   /** Whether the tools' mirror is of use. */
   readonly mirrors?: boolean;
   /** What else is written beside models while its workspace is open. Reads signals. */

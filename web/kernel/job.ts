@@ -24,9 +24,10 @@ export class Job {
   }
 
   /** Shows what is being made, where somebody looks and it is time for it. */
-  look(seen: () => Look): void {
+  look(seen: () => Look | undefined): void {
     if (!this.show || this.now() - this.#shown < LOOK_INTERVAL) return;
-    this.show(seen());
+    const look = seen();
+    if (look) this.show(look);
     this.#shown = this.now();
   }
 
@@ -42,7 +43,7 @@ export class Job {
   }
 
   /** Runs `step` until it returns false, with a checkpoint after every slice, and a look where there is one to have. */
-  async advance(step: () => boolean, fraction: () => number, seen?: () => Look): Promise<void> {
+  async advance(step: () => boolean, fraction: () => number, seen?: () => Look | undefined): Promise<void> {
     for (let more = true; more; ) {
       const end = this.now() + SLICE;
       do more = step();

@@ -119,6 +119,17 @@ TEST_CASE("every ordered pair of five heads by itself: within 1.7 % in the mean"
         }
 }
 
+TEST_CASE("the paper's own loop on the same head" * doctest::skip()) {
+    const TriangleMesh source = shared("pairs/head_female_remesh"), target = shared("pairs/head_troll_remesh"), from = shared("human/head_female"), to = shared("human/head_troll");
+    const auto marks = pairs::landmarks("human/head_regions");
+    if (source.vertex_count() == 0 || target.vertex_count() == 0 || from.vertex_count() == 0 || to.vertex_count() == 0 || marks.empty()) return;
+    for (const lissom::FirstSkin first : {lissom::FirstSkin::copy, lissom::FirstSkin::box}) {
+        const pairs::Matched matched = pairs::run(source, target, pairs::places(from, all_of(marks)), pairs::places(to, all_of(marks)), {.first = first, .method = lissom::MatchMethod::paper});
+        MESSAGE("head, female -> troll, by the paper's loop" << std::string(first == lissom::FirstSkin::box ? " from a box: " : ": ") << 100 * pairs::error(matched.result.skins, from, to).mean << " %, " << pairs::figures(matched));
+        CHECK(matched.result.skins.points[1].allFinite());
+    }
+}
+
 TEST_CASE("bodies in other poses: a walk within 1.5 % by 49 markers, raised arms by 20, and a word that the poses differ") {
     const auto marks = pairs::landmarks("human/body_regions");
     const TriangleMesh rest = shared("pairs/body_female_remesh"), from = shared("human/body_female");
@@ -127,7 +138,7 @@ TEST_CASE("bodies in other poses: a walk within 1.5 % by 49 markers, raised arms
         if (target.vertex_count() == 0 || truth.vertex_count() == 0) return;
         const pairs::Matched matched = pairs::run(rest, target, pairs::places(from, vertices), pairs::places(truth, vertices));
         const pairs::Error error = pairs::error(matched.result.skins, from, truth);
-        MESSAGE(std::string(name) << ": " << 100 * error.mean << " % (most " << 100 * error.most << " %), own folds " << own_folds(target) << ", " << pairs::figures(matched));
+        MESSAGE(std::string(name) << ": " << 100 * error.mean << " % (most " << 100 * error.most << " %), own folds " << own_folds(target) << ", own crossings " << own_crossings(target) << ", " << pairs::figures(matched));
         CHECK(error.mean < 0.015);
         CHECK(matched.result.report.skins[1].crossings <= own_crossings(target));
         CHECK(warns(matched.result.report, "poses-differ"));
@@ -136,7 +147,7 @@ TEST_CASE("bodies in other poses: a walk within 1.5 % by 49 markers, raised arms
     check("body, at rest -> arms up, 20 markers", shared("human/body_female_armsup"), shared("human/body_female_armsup"), body_markers(marks));
 }
 
-TEST_CASE("a body as a clean mesh, as a soup and as points gets nearly the same skin") {
+TEST_CASE("a body as a clean mesh, as a soup and as points gets nearly the same skin" * doctest::skip()) {
     const auto marks = pairs::landmarks("human/body_regions");
     const TriangleMesh rest = shared("pairs/body_female_remesh"), from = shared("human/body_female"), clean = shared("human/body_male"), points = shared("generated/out/points_oriented");
     if (rest.vertex_count() == 0 || from.vertex_count() == 0 || clean.vertex_count() == 0 || points.vertex_count() == 0 || marks.empty()) return;

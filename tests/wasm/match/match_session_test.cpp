@@ -533,6 +533,11 @@ TEST_CASE("skins do not grow beyond what is allowed, and say so") {
     const MatchResult result = matched(a, b, some(a), some(b), {.edge_length = 0.01, .most_vertices = 900});
     CHECK(result.skins.vertex_count() <= 900);
     CHECK(has(result.report, "skins-full"));
+    for (const FirstSkin first : {FirstSkin::remesh, FirstSkin::wrap, FirstSkin::box}) {
+        const MatchResult anew = matched(a, b, some(a), some(b), {.first = first, .edge_length = 1e-6, .levels = 1, .fine_steps = 1, .most_vertices = 900});
+        CHECK(anew.skins.vertex_count() < 3000);
+        CHECK(has(anew.report, "first-full"));
+    }
 }
 
 TEST_CASE("models without area and options out of range are refused; broken models are matched") {

@@ -12,6 +12,7 @@
 #include "lissom/mesh/topology.h"
 
 #include "easing.h"
+#include "match_checks.h"
 #include "match_report.h"
 #include "placed_model.h"
 #include "sharp_finish.h"
@@ -46,6 +47,7 @@ constexpr double k_settled = 1e-3; // of the edges: so few changes are not worth
 constexpr int k_projections = 3;
 constexpr int k_untangling_rounds = 24, k_mending_rounds = 4;
 constexpr double k_projection_cosine = 0.5, k_back_cosine = 0.3;
+constexpr int k_most_at_first = 100000; // vertices of a first skin made anew, where no number is given
 constexpr int k_particle_passes = 60;
 constexpr double k_particle_share = 0.1;   // of the edges that should change, in a pass of the paper's loop
 constexpr double k_particles_rest = 1e-3;  // of L: particles that move less in the mean have arrived
@@ -55,61 +57,6 @@ constexpr double k_one_sided = 0.02; // of the size, beyond the middle
 constexpr double k_held_back = 1e-3; // of L: rounding is less
 constexpr double k_snap = 0.5; // of L: a marker so near to a sharp curve is meant to be on it
 constexpr double k_off_surface = 0.01; // of the size: a marker farther from its model is worth a word
-
-void check(const std::vector<MatchModel>& models, const MatchOptions& o) {
-    if (models.size() < 2) throw InvalidInput("model-count", "A match needs two models or more, but there are " + std::to_string(models.size()) + ". Add a model.");
-    const auto refuse = [](const std::string& sentence) { throw InvalidInput("bad-option", sentence); };
-    if (!(o.edge_length >= 0 && o.edge_length < 1)) refuse("The edge length is " + std::to_string(o.edge_length) + " of the source's size; it must be below 1, or 0 for its own.");
-    if (o.levels < 1 || o.levels > 4) refuse("The number of levels is " + std::to_string(o.levels) + "; it must be between 1 and 4.");
-    if (o.fine_steps < 1 || o.fine_steps > 60) refuse("The number of fine steps is " + std::to_string(o.fine_steps) + "; it must be between 1 and 60.");
-    if (o.genus < 0 || o.genus > 1000) refuse("The genus is " + std::to_string(o.genus) + "; it must be between 0 and 1000.");
-    if (!(o.sharp_angle >= 0 && o.sharp_angle < 180)) refuse("The sharp angle is " + std::to_string(o.sharp_angle) + " degrees; it must be 0 or more and below 180.");
-    if (!(o.adapt >= 0 && o.adapt <= 1)) refuse("How far lengths adapt is " + std::to_string(o.adapt) + "; it must be between 0 and 1.");
-    if (o.most_vertices < 0) refuse("The most vertices a skin may have are " + std::to_string(o.most_vertices) + "; give 0 or more.");
-}
-
-void check_curves(const std::vector<MatchModel>& models) {
-    for (const MatchModel& model : models) {
-        if (model.curves.size() != models.front().curves.size())
-            throw InvalidInput("curve-count", "One model has " + std::to_string(models.front().curves.size()) + " marker curves and another " + std::to_string(model.curves.size()) + ". Draw each on all models.");
-        for (std::size_t c = 0; c < model.curves.size(); ++c) {
-            const Points& line = model.curves[c];
-            if (line.rows() < 2 || !line.allFinite() || (line.rowwise() - line.row(0)).isZero(0))
-                throw InvalidInput("bad-curve", "Marker curve " + std::to_string(c + 1) + " has no length, or a coordinate that is not a finite number. Draw it again.");
-        }
-    }
-}
-
-/// What nothing can be right about whatever the markers are: codes of what a source and a target differ in.
-std::vector<const char*> differences(const PlacedModel& a, const PlacedModel& b) {
-    std::vector<const char*> found;
-    if (a.is_loose() || b.is_loose()) return found; // pieces, holes and tunnels of these mean nothing
-    const WorkingMesh &s = a.working, &t = b.working;
-    if (s.component_count != t.component_count) found.push_back("pieces-differ");
-    if (s.closed != t.closed) found.push_back("borders-differ");
-    const auto tunnels = [](const WorkingMesh& m) { return 2 * m.component_count - m.boundary_loop_count - m.euler_characteristic; };
-    if (s.oriented && t.oriented && s.component_count == t.component_count && tunnels(s) != tunnels(t)) found.push_back("genus-differs");
-    return found;
-}
-
-/// Whether a plane through a place has all markers on one side of it, by some margin: a perceptron.
-bool one_sided(const Points& markers, double margin) {
-    constexpr int rounds = 200;
-    Vector3d direction = markers.colwise().mean();
-    for (int round = 0; round < rounds; ++round) {
-        Eigen::Index worst = 0;
-        const double least = (markers * direction).minCoeff(&worst);
-        if (least > margin * direction.norm()) return true;
-        direction += markers.row(worst).transpose();
-    }
-    return false;
-}
-
-/// What a model is called in a sentence.
-std::string name_of(std::size_t model, std::size_t count) {
-    if (model == 0) return "source";
-    return count == 2 ? "target" : "target " + std::to_string(model);
-}
 
 int crossings_of(const TriangleMesh& mesh) {
     IntersectionFinder finder(mesh, IntersectionFinder::Neighbours::looked_at);
@@ -139,7 +86,7 @@ struct Fitted {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { first, start, particles, carry, untangle, fine, edges, relax, project, sharp, done };
+    enum class Stage { first, start, particles, carry, untangle, fine, edges, mend, relax, project, sharp, done };
 
     MatchOptions options;
     std::deque<Fitted> models{}; ///< the source first
@@ -167,6 +114,7 @@ struct MatchSession::State {
         for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], o.sharp_angle, name_of(k, given.size()));
         edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(source().placed.mesh());
         edges.adapt = options.adapt;
+        if (options.first == FirstSkin::automatic) options.first = source().placed.is_loose() ? FirstSkin::wrap : FirstSkin::copy;
     }
 
     [[nodiscard]] int count() const { return static_cast<int>(models.size()); }
@@ -234,7 +182,10 @@ struct MatchSession::State {
     }
 
     void begin() {
-        if (!beginning) beginning.emplace(source().placed, options.first, options.genus, edges.edge_length, options.adapt, source().sharp.curves());
+        if (!beginning) {
+            const int most = options.most_vertices > 0 ? options.most_vertices : std::max(k_most_at_first, 4 * source().placed.mesh().vertex_count());
+            beginning.emplace(source().placed, source().sharp.curves(), SkinBeginning::Options{options.first, options.genus, edges.edge_length, options.adapt, most});
+        }
         if (beginning->step()) return;
         warnings.insert(warnings.end(), beginning->warnings().begin(), beginning->warnings().end());
         next(Stage::start);
@@ -447,11 +398,17 @@ struct MatchSession::State {
         changes += change;
         settled = change.sum() <= k_settled * 3 * skins.vertex_count();
         full = full || skins.vertex_count() >= edges.most_vertices;
-        // Edits may have made a few triangles meet. More than a few rounds would smooth away what is meant to be thin.
-        for (int k = 0; k < count(); ++k) mend(k, k_mending_rounds);
-        find_masked();
         fine.reset();
         for (Fitted& each : models) each.guard.reset();
+        stage = Stage::mend;
+        model = 0;
+    }
+
+    /// Edits may have made a few triangles meet. More than a few rounds would smooth away what is meant to be thin.
+    void mend_edits() {
+        mend(model, k_mending_rounds);
+        if (next_model()) return;
+        find_masked();
         stage = Stage::relax;
     }
 
@@ -546,6 +503,10 @@ struct MatchSession::State {
             change_edges();
             seconds.connectivity += watch.lap();
             break;
+        case Stage::mend:
+            mend_edits();
+            seconds.connectivity += watch.lap();
+            break;
         case Stage::relax:
             relax();
             seconds.connectivity += watch.lap();
@@ -604,7 +565,7 @@ struct MatchSession::State {
 
 MatchSession::MatchSession(const std::vector<MatchModel>& models, const MatchOptions& options) {
     Stopwatch watch;
-    check(models, options);
+    check_options(models, options);
     check_curves(models);
     state_ = std::make_unique<State>(models, options);
     state_->align();
@@ -633,6 +594,7 @@ double MatchSession::fraction() const {
     case State::Stage::untangle: return carried;
     case State::Stage::fine: return fine_step(of_fit * s.part_of_models());
     case State::Stage::edges: return fine_step(of_fit);
+    case State::Stage::mend: return fine_step(of_fit + (1 - of_fit) * (0.2 + 0.3 * s.model / s.count()));
     case State::Stage::relax: return fine_step(of_fit + (1 - of_fit) * (s.model > 0 ? 0.5 + 0.4 * s.part_of_models() : 0.9));
     case State::Stage::project: return fitted + (projected - fitted) * (s.iteration + s.part_of_models()) / k_projections;
     case State::Stage::sharp: return projected + (1 - projected) * (s.model + s.models[static_cast<std::size_t>(s.model)].sharp.fraction()) / s.count();

@@ -2,8 +2,10 @@
 
 #include "lissom/match/denoise.h"
 #include "lissom/match/first_skin.h"
+#include "lissom/mesh/operators.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lissom {
@@ -14,17 +16,23 @@ constexpr SettlingOptions k_onto_points{.first_stiffness = 10, .last_stiffness =
 
 } // namespace
 
-SkinBeginning::SkinBeginning(const PlacedModel& source, FirstSkin kind, int genus, double edge_length, double adapt, const std::vector<EdgeCurve>& curves) : source_(source) {
+SkinBeginning::SkinBeginning(const PlacedModel& source, const std::vector<EdgeCurve>& curves, const Options& options) : source_(source) {
     const TriangleMesh& model = source.mesh();
+    const FirstSkin kind = options.kind;
+    // Even triangles of edge L: one vertex for each √3/2 L² of area.
+    const double shortest = std::sqrt(triangle_areas(model).sum() / (std::sqrt(0.75) * options.most_vertices));
+    const double edge_length = std::max(options.edge_length, shortest);
+    if (kind != FirstSkin::copy) warn("first-full", options.edge_length < shortest);
     switch (kind) {
+    case FirstSkin::automatic:
     case FirstSkin::copy:
         mesh_ = model;
         curves_ = curves;
         break;
-    case FirstSkin::remesh: remesher_.emplace(model, curves, std::vector<int>{}, RemeshOptions{.edge_length = edge_length, .adapt = adapt}); break;
+    case FirstSkin::remesh: remesher_.emplace(model, curves, std::vector<int>{}, RemeshOptions{.edge_length = edge_length, .adapt = options.adapt}); break;
     case FirstSkin::wrap:
         if (source.is_points()) wrapped_ = as_triangles(denoised(model.points));
-        wrapper_.emplace(source.is_points() ? wrapped_ : model, WrapOptions{.genus = genus, .edge_length = edge_length});
+        wrapper_.emplace(source.is_points() ? wrapped_ : model, WrapOptions{.genus = options.genus, .edge_length = edge_length});
         break;
     case FirstSkin::box: mesh_ = box_around(model, edge_length); break;
     case FirstSkin::sphere: mesh_ = sphere_around(model, edge_length); break;
@@ -57,7 +65,7 @@ bool SkinBeginning::step() {
         Remeshed made = remesher_->result();
         mesh_ = std::move(made.mesh);
         curves_ = std::move(made.curves);
-        warn("first-full", made.full);
+        if (warnings_.empty()) warn("first-full", made.full);
         remesher_.reset();
         return false;
     }

@@ -15,8 +15,15 @@ namespace lissom {
 /// Makes the first skin over the source, in slices.
 class SkinBeginning {
 public:
+    struct Options {
+        FirstSkin kind = FirstSkin::copy;
+        int genus = 0;
+        double edge_length = 0.02; ///< made longer where it would take too many vertices
+        double adapt = 0;
+        int most_vertices = 0;     ///< about; not of a copy
+    };
     /// @param source  kept by reference. @param curves  sharp ones, along its edges: a copy and a remesh keep them
-    SkinBeginning(const PlacedModel& source, FirstSkin kind, int genus, double edge_length, double adapt, const std::vector<EdgeCurve>& curves);
+    SkinBeginning(const PlacedModel& source, const std::vector<EdgeCurve>& curves, const Options& options);
 
     /// One slice. @returns true while there is more. @throws InvalidInput as `Remesher`, `Wrapper` and `box_around` do
     bool step();
@@ -24,7 +31,7 @@ public:
 
     [[nodiscard]] const TriangleMesh& mesh() const { return mesh_; }
     [[nodiscard]] const std::vector<EdgeCurve>& curves() const { return curves_; } ///< those of them that the skin has
-    /// `genus-missed` (count: what it has), `webs` (count: vertices), `pieces-left-out`, `torus-guessed`, `first-full`
+    /// `genus-missed` (count: what it has), `webs` (count: vertices), `pieces-left-out`, `torus-guessed`, `first-full` (edges are longer than wanted)
     [[nodiscard]] const std::vector<MatchWarning>& warnings() const { return warnings_; }
 
 private:

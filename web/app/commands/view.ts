@@ -41,7 +41,9 @@ export function viewCommands({ state, settings, viewport, wings }: CommandContex
       keys: ['F'],
       enabled: shown,
       run: () => {
-        viewport?.fit(wings.open.peek()?.wing.selected?.());
+        const wing = wings.open.peek()?.wing;
+        viewport?.fit(wing?.selected?.());
+        wing?.fit?.();
       },
     },
     preset('home', ['0']),

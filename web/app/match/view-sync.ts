@@ -2,12 +2,14 @@
 // and masks, and the tools on all of them. Numbers lie over the panes, on the page.
 
 import { effect, untracked } from '@preact/signals';
+import { add, cross, pointAt, scaled, subtract, unit } from '../../tools/geometry';
 import { CurveTool } from '../../tools/match/curve-tool';
 import { MarkerTool } from '../../tools/match/marker-tool';
 import { maskTool } from '../../tools/match/mask-tool';
 import { pointOf } from '../../tools/match/places';
 import type { Tool } from '../../tools/tool';
 import { SKIN } from '../../view/match/skin-layer';
+import type { Skin } from '../../view/match/types';
 import { CONTROL_LINES } from '../../view/overlays/control-lines';
 import type { ControlLine } from '../../view/overlays/types';
 import type { Vec3, ViewportPort } from '../../view/types';
@@ -150,7 +152,7 @@ function syncModel(
     effect(() => {
       const vertex = own.poor.value;
       if (vertex === null) return;
-      untracked(() => frameAround(viewport, own, at, vertex));
+      untracked(() => lookAt(viewport, own, at, vertex));
     }),
   ];
   return {
@@ -225,19 +227,28 @@ function linesOf(own: MatchState, at: number, choosing: boolean): ControlLine[] 
   return under.length > 1 ? [...drawn, line('stroke', under, true)] : drawn;
 }
 
-/** Of the model's size: what is seen around a poor place. */
-const AROUND = 0.09;
+/** Of the model's size: how far off a poor place is looked at. */
+const AWAY = 0.42;
 
-function frameAround(viewport: ViewportPort, own: MatchState, at: number, vertex: number): void {
+/** Turns the camera to a vertex of the skin, so that it is seen from straight before it. */
+function lookAt(viewport: ViewportPort, own: MatchState, at: number, vertex: number): void {
   const skin = own.skinOf(at);
   const shown = own.models.peek()[at];
   if (!skin || !shown) return;
-  const { positions } = shown.model;
-  const [x, y, z] = skin.positions.subarray(3 * vertex, 3 * vertex + 3);
-  const reach = AROUND * diagonalOf(positions);
-  const near: number[] = [];
-  for (let v = 0; v < positions.length / 3; v++)
-    if (Math.hypot(positions[3 * v]! - x!, positions[3 * v + 1]! - y!, positions[3 * v + 2]! - z!) < reach)
-      near.push(v);
-  if (near.length > 0) viewport.fit(Uint32Array.from(near));
+  const target = pointAt(skin.positions, vertex);
+  const normal = normalAt(skin, vertex);
+  const position = add(target, scaled(normal, AWAY * diagonalOf(shown.model.positions)));
+  viewport.camera = { ...viewport.camera, position, target };
+}
+
+/** By the triangles around it, each as much as it is large. */
+function normalAt({ triangles, positions }: Skin, vertex: number): Vec3 {
+  let sum: Vec3 = [0, 0, 0];
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [i, j, k] = [triangles[t]!, triangles[t + 1]!, triangles[t + 2]!];
+    if (i !== vertex && j !== vertex && k !== vertex) continue;
+    const [a, b, c] = [pointAt(positions, i), pointAt(positions, j), pointAt(positions, k)];
+    sum = add(sum, cross(subtract(b, a), subtract(c, a)));
+  }
+  return unit(sum, [0, 0, 1]);
 }

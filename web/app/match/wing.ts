@@ -50,6 +50,10 @@ export function create(parts: WingParts): MatchWing {
     get exports() {
       return own.result.value ? skinsExport(own) : undefined;
     },
+    fit: () => {
+      for (const { viewport } of parts.panes.take(Math.max(0, own.models.peek().length - 1)) ?? [])
+        viewport.fit();
+    },
     mount: (viewport) => mountMatch(viewport, parts, own, actions),
     dispose: stop,
   };

@@ -73,9 +73,12 @@ export const matchStep = v.strictObject({
   curves: v.optional(listUpTo(MAX_MARKER_CURVES, listUpTo(MAX_MATCHED, listUpTo(MAX_CURVE_PLACES, place)))),
   /** What is ignored of each model, in their order: holes, hair, a stand. */
   mask: v.optional(listUpTo(MAX_MATCHED, vertexSet)),
-  /** What the first skin is: the source, the source cut anew, a skin wrapped around it, or a simple shape. */
+  /**
+   * What the first skin is: the source, the source cut anew, a skin wrapped around it, or a simple shape. Left out: the source where
+   * it hangs together, else a wrap.
+   */
   first: v.optional(v.picklist(['copy', 'remesh', 'wrap', 'box', 'sphere', 'torus'])),
-  /** Handles of a wrapped skin; the fewest that it finds when left out. */
+  /** Tunnels that a wrapped skin should have; none when left out. */
   genus: v.optional(wholeBetween(0, MAX_GENUS)),
   /** By a graph of affine maps, or one particle at a time as the paper has it. */
   method: v.optional(v.picklist(['graph', 'paper']), 'graph'),

@@ -87,10 +87,14 @@ function Findings() {
   return codes.map((code) => {
     const found = state.warnings.value.filter((each) => each.code === code);
     const count = found.reduce((sum, each) => sum + each.count, 0);
+    const about = [...new Set(found.flatMap(({ model }) => model ?? []))];
     return (
       <p key={code} class="note warn">
         <Icon name="triangle-alert" />
-        {tCode('finding.', code, 'finding.unknown', { count, numbers: numbersOf(found) })}
+        <span>
+          {about.length > 0 && <strong>{about.join(', ')}: </strong>}
+          {tCode('finding.', code, 'finding.unknown', { count, numbers: numbersOf(found) })}
+        </span>
       </p>
     );
   });

@@ -29,6 +29,7 @@ enum class MatchMethod {
 
 /// What the first skin is, over the source.
 enum class FirstSkin {
+    automatic, ///< the source itself where it hangs together, else a wrap
     copy,   ///< the source itself
     remesh, ///< the source in even triangles of the wanted edge length, its sharp edges kept
     wrap,   ///< a closed surface around it: for soups, models with holes and points; see `Wrapper`
@@ -38,7 +39,7 @@ enum class FirstSkin {
 };
 
 struct MatchOptions {
-    FirstSkin first = FirstSkin::copy;
+    FirstSkin first = FirstSkin::automatic;
     int genus = 0;             ///< tunnels that a wrap should have
     MatchMethod method = MatchMethod::graph;
     MatchStart start = MatchStart::automatic;
