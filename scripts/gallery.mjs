@@ -16,6 +16,9 @@ import { transferExamples } from './gallery/transfer.mjs';
 const OWN = 'Own work, CC0 1.0';
 const HUMAN = 'MakeHuman data, CC0 1.0';
 
+/** What is made to be put on. */
+const WORN = ['shirt', 'pants', 'skirt', 'shoe'];
+
 const models = [
   ['dinosaur', 'Dinosaur', OWN],
   ['critter', 'Critter', OWN],
@@ -82,6 +85,7 @@ const index = {
     licence,
     vertices: modelOf(name).points.length,
     ...(name.startsWith('head-') && { scalp: true }),
+    ...(WORN.includes(name) && { worn: true }),
     ...MADE[name],
   })),
   examples: examples.map(([name, title, model, made]) => ({

@@ -4,7 +4,8 @@ import { bodies, bodyMatch } from './blend.mjs';
 import { builtIn, FOOT, matchOf } from './landmarks.mjs';
 
 const [FEMALE, MALE, HEAVY] = bodies;
-/** Metres. */
+/** Metres: of what is worn over something else. */
+const OVER = 0.006;
 const FOOT_EDGE = 0.007;
 
 const feet = ['foot-female', 'foot-male', 'foot-child'];
@@ -33,13 +34,13 @@ export function dressExamples() {
       'dress-man',
       'Shirt and pants, a man',
       'shirt',
-      recipe(bodyMatch(), worn(1, 'pants', FEMALE, MALE), worn(2, 'shirt', FEMALE, MALE)),
+      recipe(bodyMatch(), worn(1, 'pants', FEMALE, MALE), worn(2, 'shirt', FEMALE, MALE, OVER)),
     ],
     [
       'dress-heavy',
       'Shirt and skirt, another size',
       'skirt',
-      recipe(bodyMatch(), worn(1, 'shirt', FEMALE, HEAVY), worn(2, 'skirt', FEMALE, HEAVY)),
+      recipe(bodyMatch(), worn(1, 'shirt', FEMALE, HEAVY), worn(2, 'skirt', FEMALE, HEAVY, OVER)),
     ],
     [
       'dress-shoe',

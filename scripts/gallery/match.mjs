@@ -63,7 +63,7 @@ function nut() {
   return recipe(['torus', 'nut'], markers, { sharpAngle: 40 });
 }
 
-/** Seven balls that reach into one another, wrapped into one skin, and a rabbit in one piece. */
+/** Balls that reach into one another, and a rabbit. */
 function bear() {
   const point = (...at) => ({ point: at });
   const both = (bear, rabbit) =>
@@ -73,15 +73,16 @@ function bear() {
     ['bear', 'rabbit'],
     [
       middle([0, 1.18, 0.4], [0, 1.08, 0.37]),
-      middle([0, 1.5, -0.1], [0, 1.38, -0.06]),
+      middle([0, 1.22, -0.24], [0, 1.13, -0.2]),
       middle([0, 0.62, 0.3], [0, 0.55, 0.29]),
       middle([0, 0.62, -0.3], [0, 0.62, -0.33]),
       middle([0, 0.2, -0.05], [0, 0.13, -0.05]),
-      ...both([0.13, 1.47, 0.02], [0.21, 1.99, -0.06]),
-      ...both([0.61, 0.59, 0.1], [0.57, 0.58, 0.25]),
-      ...both([0.2, 0.18, 0.46], [0.22, 0.12, 0.52]),
+      middle([0, 1.52, 0.03], [0, 1.4, 0.08]),
+      ...both([0.18, 1.59, 0.02], [0.21, 2, -0.06]),
+      ...both([0.61, 0.58, 0.08], [0.57, 0.58, 0.25]),
+      ...both([0.2, 0.25, 0.44], [0.22, 0.12, 0.52]),
     ],
-    { first: 'wrap', genus: 0 },
+    {},
   );
 }
 

@@ -336,53 +336,36 @@ function nut() {
   });
 }
 
-/** A ball, longer along some axes than along others, turned about z. */
-function ball([cx, cy, cz], [rx, ry, rz], turn = 0) {
-  const [rows, around] = [24, 36];
+/** About the distance from a ball that is longer along some axes than along others, turned about z. */
+function ball([x, y, z], [cx, cy, cz], [rx, ry, rz], turn = 0) {
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
-  const points = [[0, 1, 0]];
-  for (let i = 1; i < rows; i++)
-    for (let j = 0; j < around; j++) {
-      const [a, b] = [(Math.PI * i) / rows, (2 * Math.PI * j) / around];
-      points.push([Math.sin(a) * Math.cos(b), Math.cos(a), -Math.sin(a) * Math.sin(b)]);
-    }
-  points.push([0, -1, 0]);
-  const at = (i, j) => 1 + (i - 1) * around + (j % around);
-  const last = points.length - 1;
-  const triangles = [];
-  for (let j = 0; j < around; j++)
-    triangles.push([0, at(1, j), at(1, j + 1)], [last, at(rows - 1, j + 1), at(rows - 1, j)]);
-  for (let i = 1; i + 1 < rows; i++)
-    for (let j = 0; j < around; j++)
-      triangles.push(...halves(points, [at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]));
-  return {
-    points: points.map(([x, y, z]) => {
-      const [px, py] = [rx * x, ry * y];
-      return [cx + c * px - s * py, cy + s * px + c * py, cz + rz * z];
-    }),
-    triangles,
-  };
+  const [dx, dy] = [x - cx, y - cy];
+  const place = [(c * dx + s * dy) / rx, (c * dy - s * dx) / ry, (z - cz) / rz];
+  const gradient = Math.hypot(place[0] / rx, place[1] / ry, place[2] / rz);
+  const far = Math.hypot(...place);
+  return gradient > 0 ? ((far - 1) * far) / gradient : -Math.min(rx, ry, rz);
 }
 
-/** A toy bear of seven balls that reach into one another: belly, head, snout, arms and legs. */
+/** A toy bear of balls that reach into one another: belly, head, snout, ears, arms and legs. */
 function bear() {
-  const balls = [
-    ball([0, 0.62, 0], [0.34, 0.42, 0.3]),
-    ball([0, 1.24, 0.03], [0.29, 0.28, 0.27]),
-    ball([0, 1.18, 0.27], [0.13, 0.11, 0.13]),
-    ...[-1, 1].flatMap((side) => [
-      ball([0.38 * side, 0.78, 0.1], [0.3, 0.12, 0.13], side * -0.7),
-      ball([0.2 * side, 0.18, 0.16], [0.15, 0.15, 0.3]),
-    ]),
-  ];
-  const points = [];
-  const triangles = [];
-  for (const part of balls) {
-    const shift = points.length;
-    points.push(...part.points);
-    triangles.push(...part.triangles.map((corners) => corners.map((v) => v + shift)));
-  }
-  return { points, triangles };
+  return implicitSurface({
+    low: [-0.75, -0.03, -0.45],
+    high: [0.75, 1.71, 0.6],
+    cell: 0.03,
+    inside: (x, y, z) => {
+      // Left and right are the same.
+      const p = [Math.abs(x), y, z];
+      return blend(
+        0.06,
+        ball(p, [0, 0.62, 0], [0.34, 0.42, 0.3]),
+        ball(p, [0, 1.22, 0.03], [0.29, 0.28, 0.27]),
+        ball(p, [0, 1.16, 0.27], [0.13, 0.11, 0.14]),
+        ball(p, [0.18, 1.46, 0.02], [0.11, 0.13, 0.08]),
+        ball(p, [0.35, 0.76, 0.08], [0.32, 0.13, 0.14], -0.6),
+        ball(p, [0.2, 0.25, 0.14], [0.16, 0.17, 0.3]),
+      );
+    },
+  });
 }
 
 /** A rabbit that sits like the bear does, in one piece. */

@@ -108,7 +108,8 @@ export function shoeOf(name) {
       return y > ground + 0.045 ? end : undefined;
     },
     inside: (x, y, z) => {
-      const sole = Math.max(tread(x, z) - WELT, ground - SOLE + MARGIN / 4 - y, y - ground - 0.006);
+      // Its edges are rounded: sharp ones fray on a grid.
+      const sole = -blend(0.006, WELT - tread(x, z), y - ground + SOLE - MARGIN / 4, ground + 0.006 - y);
       return blend(0.006, skin.at(x, y, z) - LEATHER, sole);
     },
   });

@@ -104,6 +104,8 @@ export interface GalleryEntry {
   readonly thumbnail: string;
   /** It says where its scalp is. */
   readonly scalp?: boolean;
+  /** It is made to be put on. */
+  readonly worn?: boolean;
   /** No file holds its model: it is made here when it is opened. */
   readonly made?: boolean;
   /** Present for a finished example instead of a bare model. */

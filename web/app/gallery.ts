@@ -14,6 +14,7 @@ export interface IndexedModel extends BuiltIn {
   readonly licence: string;
   readonly vertices: number;
   readonly scalp?: boolean;
+  readonly worn?: boolean;
 }
 
 interface Index {
@@ -69,7 +70,8 @@ export class Gallery implements GalleryService {
         recipe: file,
       };
     });
-    const bare = models.map(({ name, title, licence, vertices, made, scalp = false }) => ({
+    const bare = models.map(({ name, title, licence, vertices, made, scalp = false, worn = false }) => ({
+      worn,
       name,
       title,
       licence,

@@ -26,6 +26,7 @@ export function DressStage() {
           <ModelChooser
             title={t('ui.dress.choose')}
             help={t('ui.dress.choose.help')}
+            first={({ worn }) => worn === true}
             onCancel={() => dress.choice.cancel()}
           />
         ) : (

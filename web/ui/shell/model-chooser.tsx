@@ -1,4 +1,5 @@
 import type { ComponentChildren } from 'preact';
+import type { GalleryEntry } from '../../app/api';
 import { t } from '../../app/i18n';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
@@ -8,14 +9,17 @@ interface Props {
   title: string;
   help: string;
   onCancel: () => void;
+  /** Models that come before the others. */
+  first?: (entry: GalleryEntry) => boolean;
   /** What else may be chosen. */
   children?: ComponentChildren;
 }
 
 /** The place of a model while there is none: gallery models, or a file of one's own. */
-export function ModelChooser({ title, help, onCancel, children }: Props) {
+export function ModelChooser({ title, help, onCancel, first = () => false, children }: Props) {
   const { state, gallery, files, messages } = useApp();
-  const models = gallery.entries.value.filter(({ recipe }) => !recipe);
+  const bare = gallery.entries.value.filter(({ recipe }) => !recipe);
+  const models = [...bare.filter(first), ...bare.filter((entry) => !first(entry))];
   return (
     <section class="model-chooser" aria-label={title}>
       <header>
