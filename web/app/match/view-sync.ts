@@ -107,21 +107,26 @@ interface Framing {
   stop(): void;
 }
 
-/** Frames what a viewport shows once it has its size beside the others, and again when that is another one. */
+/** Milliseconds that a page may take to be laid out for more or fewer models. */
+const LAYOUT = 1000;
+
+/** Frames what a viewport shows once it has its size beside the others: again with each size while the page is laid out anew. */
 function framing(viewport: ViewportPort, own: MatchState, at: number): Framing {
   let framed = '';
-  let isWanted = true;
+  let until = Number.POSITIVE_INFINITY;
   const stop = viewport.onDraw(() => {
     const { width, height } = viewport.size;
     const size = `${width} ${height}`;
-    if (!isWanted || size === framed || width <= 1 || !own.models.peek()[at]) return;
+    const now = performance.now();
+    if (now > until || size === framed || width <= 1 || !own.models.peek()[at]) return;
     framed = size;
-    isWanted = false;
+    // From the first frame on: what came before was waiting.
+    until = Math.min(until, now + LAYOUT);
     viewport.fit();
   });
   return {
     again: () => {
-      isWanted = true;
+      until = Number.POSITIVE_INFINITY;
     },
     stop,
   };

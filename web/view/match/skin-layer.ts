@@ -137,14 +137,14 @@ export const SKIN: LayerKind<SkinPort> = {
   make: (context) => new SkinLayer(context),
 };
 
-/** Lies over the model where both are in one place. */
+/** Lies over the model where both are in one place, but for what its triangles are flatter than that: some thousandths of the size. */
 const surface = (options: ConstructorParameters<typeof MeshStandardMaterial>[0]) =>
   new MeshStandardMaterial({
     roughness: 0.65,
     side: DoubleSide,
     polygonOffset: true,
-    polygonOffsetFactor: -1,
-    polygonOffsetUnits: -8,
+    polygonOffsetFactor: -2,
+    polygonOffsetUnits: -400,
     ...options,
   });
 
