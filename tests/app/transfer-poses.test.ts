@@ -40,7 +40,7 @@ describe('poses', () => {
   );
 
   test('are deform steps with handles that do not start from the transfer', () => {
-    expect(ids(posesFor(recipe, 't'))).toEqual(['a', 'b']);
+    expect(ids(posesFor(recipe, transferIn(recipe, 't')))).toEqual(['a', 'b']);
     expect(ids(posesFor(recipe))).toEqual(['a', 'after', 'b']);
   });
 

@@ -84,7 +84,7 @@ test('the workspace asks for a model beside the one that is posed, and leaves no
   await enter(tab);
   expect(tab.app.state.workspace.value).toBe('transfer');
   const { source } = tab.transferState;
-  expect(source.value!.step.id).toBe('deform 1');
+  expect(source.value!.id).toBe('deform 1');
   expect(pointAt(source.value!.posed, 7)).toEqual([3, 1, 1]);
   await tab.app.commands.run('workspace.deform');
   expect(tab.app.state.workspace.value).toBe('deform');
@@ -245,7 +245,7 @@ describe('several poses', () => {
     await enter(tab);
     await settled(tab);
     expect(pointAt(shown(tab).positions, 6)).toEqual([5, 1, 1]);
-    expect(tab.transferState.source.value!.step.id).toBe('deform 2');
+    expect(tab.transferState.source.value!.id).toBe('deform 2');
     expect(pointAt(tab.transferState.source.value!.posed, 7)).toEqual([6, 1, 1]);
   });
 

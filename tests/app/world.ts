@@ -62,6 +62,7 @@ export class FakeKernel implements KernelPort {
   #paired: Args<'prepareTransfer'>[] = [];
   #blends: Args<'prepareBlend'>[] = [];
   #fittings: Args<'prepareDress'>[] = [];
+  #throughs: Args<'prepareTransferThrough'>[] = [];
 
   async call<M extends Method>(
     method: M,
@@ -206,6 +207,19 @@ export class FakeKernel implements KernelPort {
         warnings: [],
         seconds: { dress: 0.001 },
       };
+    },
+    prepareTransferThrough: (args) => ({
+      id: this.#throughs.push(args) as KernelId,
+      unknowns: args.from.length / 3,
+      seconds: { prepare: 0.002 },
+      peakBytes: 1,
+    }),
+    // Vertex by vertex.
+    transferThrough: ({ transfer, pose, strength }) => {
+      const { source, target } = this.#throughs[transfer - 1]!;
+      const rest = this.#models[source - 1]!;
+      const positions = this.#models[target - 1]!.map((x, i) => x + strength * (pose[i]! - rest[i]!));
+      return { positions, iterations: 1, seconds: { solve: 0.001 } };
     },
     carryPlaces: ({ places }) => places,
     guessPlace: ({ place }) => place,

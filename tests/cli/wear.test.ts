@@ -18,14 +18,14 @@ const MATCH = {
   edgeLength: 0.3,
 };
 
-async function wear(step: object, command = 'run') {
+async function wear(step: object, command = 'run', before: readonly object[] = []) {
   const shell = new Shell();
   for (const [name, shape] of Object.entries(SHAPES))
     shell.write(`${name}.ply`, writeModel({ name, ...shape }, 'ply'));
   const recipe = shell.write('r.json', {
     lissom: 1,
     models: Object.fromEntries(Object.keys(SHAPES).map((name) => [name, { file: `${name}.ply` }])),
-    steps: [MATCH, { id: 'x', match: 'm', ...step }],
+    steps: [MATCH, ...before, { id: 'x', match: 'm', ...step }],
     outputs: [{ step: 'x', file: 'x.ply' }],
   });
   const out = ['--out', shell.path('out'), '--report', shell.path('report.json')];
@@ -61,9 +61,48 @@ test('a garment is written, and nothing of it is inside', async () => {
   });
 });
 
+/** The upper end of a shape moved to the side. */
+const POSE = {
+  id: 'pose',
+  type: 'deform',
+  model: 'pear',
+  handles: [-1, 1].map((side) => ({
+    kind: 'region',
+    vertices: [...SHAPES.pear.positions.keys()]
+      .filter((at) => at % 3 === 1 && side * SHAPES.pear.positions[at]! > 0.6)
+      .map((at) => (at - 1) / 3),
+    matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, side > 0 ? 0.8 : 0, 0, 0, 1],
+  })),
+};
+
+test('a pose goes through a match, and nothing is paired', async () => {
+  const { shell, status, stderr } = await wear(
+    { type: 'transfer', model: 'plum', like: 'pose', match: undefined, through: 'm' },
+    'run',
+    [POSE],
+  );
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  const posed = shell.model('out/x.ply');
+  expect(posed.faceVertices).toEqual(SHAPES.plum.faceVertices);
+  const rightmost = ({ positions }: { positions: Float64Array }) =>
+    positions.reduce((most, x, at) => (at % 3 === 0 ? Math.max(most, x) : most), 0);
+  expect(rightmost(posed)).toBeGreaterThan(rightmost(SHAPES.plum));
+  const step = JSON.parse(shell.read('report.json')).steps[2];
+  expect(step).toMatchObject({
+    type: 'transfer',
+    unknowns: expect.any(Number),
+    iterations: 3,
+    seconds: { prepare: expect.any(Number), solve: expect.any(Number) },
+  });
+});
+
 describe.each(['check', 'run'])('%s refuses', (command) => {
   test.each<[string, object]>([
     ['a weight of nobody', { type: 'blend', weights: { apple: 1 } }],
+    [
+      'a pose to a model that was not matched',
+      { type: 'transfer', model: 'belt', like: 'pear', match: undefined, through: 'm' },
+    ],
     ['a body that was not matched', { type: 'dress', garment: 'belt', from: 'pear', to: 'belt' }],
   ])('%s', async (_, step) => {
     const { shell, status, stderr } = await wear(step, command);

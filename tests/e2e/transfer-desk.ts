@@ -58,10 +58,10 @@ export async function chooseTarget(desk: Desk, title: string): Promise<void> {
 export async function spotOnSource(page: Page, handle: number): Promise<Place> {
   const found = await page.evaluate((index) => {
     const { app } = window.__lissom;
-    const { step, posed } = (app.wings.get('transfer') as TransferWing).state.source.peek()!;
+    const { handles, posed } = (app.wings.get('transfer') as TransferWing).state.source.peek()!;
     const { viewport } = app.panes.all.peek()[0]!;
     const box = document.querySelector('.pane.posed')!.getBoundingClientRect();
-    const set = step.handles[index]!.vertices;
+    const set = handles[index]!.vertices;
     const within = (v: number) =>
       set === 'all' ||
       ('ranges' in set ? set.ranges.some(([first, last]) => first <= v && v <= last) : set.includes(v));

@@ -33,6 +33,8 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   blend: 'with its worker', // 0.1 s, of many measures 2 s
   prepareDress: 'in slices', // 2 s, the map of space
   dress: 'with its worker', // 1 s
+  prepareTransferThrough: 'in slices', // 1 s, the factor of a skin
+  transferThrough: 'with its worker', // 0.2 s
   placesOn: 'with its worker', // 0.3 s
   prepareMerge: 'in slices', // the first one, which cuts, refines, assembles and orders, 12 s: as above
   merge: 'with its worker', // 8 s

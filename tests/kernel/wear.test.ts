@@ -94,6 +94,54 @@ describe('dressing', () => {
   });
 });
 
+describe('poses through skins', () => {
+  const give = async (pose: Float64Array, strength = 1, keepStretch = false) => {
+    const source = await kernel.call('openModel', slim);
+    const target = await kernel.call('openModel', stout);
+    const prepared = await kernel.call('prepareTransferThrough', {
+      source: source.id,
+      target: target.id,
+      triangles: slim.faceVertices,
+      from: slim.positions,
+      to: stout.positions,
+    });
+    expect(prepared.unknowns).toBe(slim.positions.length / 3);
+    // What a session needs it keeps.
+    await kernel.call('release', { id: source.id });
+    await kernel.call('release', { id: target.id });
+    const args = { transfer: prepared.id, pose, strength, keepStretch };
+    const given = await kernel.call('transferThrough', args).finally(() => {
+      return kernel.call('release', { id: prepared.id });
+    });
+    return given;
+  };
+  const sheared = slim.positions.map((x, at) => (at % 3 === 0 ? x + 0.3 * slim.positions[at + 1]! : x));
+
+  test('at rest the other stays at rest', async () => {
+    const { positions, iterations } = await give(slim.positions);
+    for (let at = 0; at < positions.length; at++) expect(positions[at]).toBeCloseTo(stout.positions[at]!, 9);
+    expect(iterations).toBeGreaterThan(0);
+  });
+
+  test('a shear of one is a shear of the other, where stretch is kept', async () => {
+    const { positions, iterations } = await give(sheared, 1, true);
+    expect(iterations).toBe(1);
+    const [tip, foot] = [0, positions.length - 3];
+    const lean = positions[tip]! - positions[foot]! - (stout.positions[tip]! - stout.positions[foot]!);
+    expect(lean).toBeCloseTo(0.3 * (stout.positions[tip + 1]! - stout.positions[foot + 1]!), 0);
+    const half = await give(sheared, 0.5, true);
+    expect(half.positions[tip]! - half.positions[foot]!).toBeLessThan(positions[tip]! - positions[foot]!);
+  });
+
+  test.each<[string, () => Promise<unknown>]>([
+    ['wrong-size', () => give(slim.positions.slice(3))],
+    ['bad-option', () => give(slim.positions, Number.NaN)],
+    ['non-finite-position', () => give(slim.positions.map((x, at) => (at === 4 ? Number.NaN : x)))],
+  ])('%s', async (code, work) => {
+    await expect(work()).rejects.toMatchObject({ code, fault: 'input' });
+  });
+});
+
 test.each<[string, () => Promise<unknown>]>([
   ['empty-part', () => blend([{ from: 0, vertices: new Uint32Array(), how: 'paste' }], [1, 0])],
   ['whole-part', () => blend([{ from: 0, vertices: slim.faceVertices, how: 'paste' }], [1, 0])],

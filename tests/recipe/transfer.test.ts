@@ -53,12 +53,46 @@ describe('bounds', () => {
   test.each([
     [{ strength: -0.1 }, 'steps[1].strength: expected a number from 0 to 2, found -0.1.'],
     [{ strength: 2.5 }, 'steps[1].strength: expected a number from 0 to 2, found 2.5.'],
-    [{ handles: undefined }, 'steps[1].handles'],
     [{ handles: [[3], 'some'] }, 'steps[1].handles[1]'],
     [{ like: 'nobody' }, 'steps[1].like: there is no model or earlier step "nobody"'],
     [{ like: 'give' }, 'steps[1].like: "give" is the step itself'],
     [{ pose: 'pose' }, 'steps[1]'],
   ])('%j', (more, message) => {
     expect(() => parseRecipe(document(more))).toThrow(message);
+  });
+});
+
+describe('through a match', () => {
+  const through = (more: object = {}) => {
+    const { models, steps, ...rest } = document();
+    const match = { id: 'm', type: 'match', models: ['horse', 'cow'] };
+    const give = { id: 'give', type: 'transfer', model: 'cow', like: 'pose', through: 'm', ...more };
+    return {
+      ...rest,
+      models: { ...models, dog: { builtin: 'dog' } },
+      steps: [match, steps[0], { id: 'of-dog', type: 'deform', model: 'dog', handles: [] }, give],
+    };
+  };
+
+  test('handles are left out, and a link carries it', () => {
+    const recipe = parseRecipe(through());
+    expect(recipe.steps[3]).toMatchObject({ through: 'm', handles: [] });
+    expect(referencesOf(recipe.steps[3]!).map(({ name }) => name)).toEqual(['cow', 'pose', 'm']);
+    expect(decodeLink(encodeLink(recipe))).toStrictEqual(recipe);
+  });
+
+  test('skins of the match are its models, too', () => {
+    expect(() => parseRecipe(through({ model: 'm/cow' }))).not.toThrow();
+  });
+
+  test.each([
+    [{ model: 'dog' }, 'steps[3].model: "m" has no model "dog"; it has "horse", "cow".'],
+    [{ like: 'of-dog' }, 'steps[3].like: "m" has no model "dog"; it has "horse", "cow".'],
+    [
+      { through: 'horse' },
+      'steps[3].through: "horse" is a model; name an earlier step that leaves several: "m".',
+    ],
+  ])('%j', (more, message) => {
+    expect(() => parseRecipe(through(more))).toThrow(message);
   });
 });

@@ -1,6 +1,7 @@
 #include "session.h"
 #include "lissom/wear/blend_session.h"
 #include "lissom/wear/dress_session.h"
+#include "lissom/wear/skin_pose.h"
 #include "lissom/wear/surface_places.h"
 
 #include <emscripten/bind.h>
@@ -129,6 +130,42 @@ val dress(HeldDress& held, double offset) {
     });
 }
 
+// new SkinPose(source, target, triangles: Uint32Array, from: Float64Array, to: Float64Array)
+lissom::SkinPose* prepare_through(const std::shared_ptr<lissom::WorkingMesh>& source, const std::shared_ptr<lissom::WorkingMesh>& target, const val& corners, const val& from, const val& to) {
+    return guarded([&] { return new lissom::SkinPose(*source, *target, triangles(corners), points(from), points(to)); });
+}
+
+// figures() → what PreparedThrough of web/kernel/contract/wear.ts says of it
+val through_figures(const lissom::SkinPose& session) {
+    return guarded([&] {
+        val seconds = val::object();
+        seconds.set("prepare", session.seconds().prepare);
+        val result = val::object();
+        result.set("unknowns", session.unknowns());
+        result.set("seconds", seconds);
+        return result;
+    });
+}
+
+bool through_step(lissom::SkinPose& session) {
+    return guarded([&] { return session.step(); });
+}
+double through_fraction(const lissom::SkinPose& session) { return session.fraction(); }
+
+// give(pose: Float64Array, strength, keepStretch) → TransferredThrough
+val give_through(lissom::SkinPose& session, const val& pose, double strength, bool keep_stretch) {
+    return guarded([&] {
+        const lissom::Points given = session.give(points(pose), {.strength = strength, .keep_stretch = keep_stretch});
+        val seconds = val::object();
+        seconds.set("solve", session.seconds().solve);
+        val result = val::object();
+        result.set("positions", float64_array(given));
+        result.set("iterations", session.rounds());
+        result.set("seconds", seconds);
+        return result;
+    });
+}
+
 // placesOn(model, points: Float64Array) → SurfacePlaces
 val places_on(const std::shared_ptr<lissom::WorkingMesh>& model, const val& given) {
     return guarded([&] {
@@ -156,4 +193,10 @@ EMSCRIPTEN_BINDINGS(wear) {
         .function("fraction", &bindings::fraction<HeldDress>)
         .function("figures", &dress_figures)
         .function("dress", &dress);
+    class_<lissom::SkinPose>("SkinPose")
+        .constructor(&prepare_through, allow_raw_pointers())
+        .function("step", &through_step)
+        .function("fraction", &through_fraction)
+        .function("figures", &through_figures)
+        .function("give", &give_through);
 }

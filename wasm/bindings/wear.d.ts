@@ -5,7 +5,9 @@ import type {
   PartSpec,
   PreparedBlend,
   PreparedDress,
+  PreparedThrough,
   SurfacePlaces,
+  TransferredThrough,
 } from '../../web/kernel/contract/wear';
 import type { WasmObject, WasmWorkingMesh } from './model';
 
@@ -22,6 +24,13 @@ export interface WearModule {
     to: Float64Array,
     model: WasmWorkingMesh | null,
   ) => WasmDressSession;
+  readonly SkinPose: new (
+    source: WasmWorkingMesh,
+    target: WasmWorkingMesh,
+    triangles: Uint32Array,
+    from: Float64Array,
+    to: Float64Array,
+  ) => WasmSkinPose;
   placesOn(model: WasmWorkingMesh, points: Float64Array): SurfacePlaces;
 }
 
@@ -38,4 +47,11 @@ export interface WasmDressSession extends WasmObject {
   fraction(): number;
   figures(): Omit<PreparedDress, 'id' | 'peakBytes'>;
   dress(offset: number): Dressed;
+}
+
+export interface WasmSkinPose extends WasmObject {
+  step(): boolean;
+  fraction(): number;
+  figures(): Omit<PreparedThrough, 'id' | 'peakBytes'>;
+  give(pose: Float64Array, strength: number, keepStretch: boolean): TransferredThrough;
 }

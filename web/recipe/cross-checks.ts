@@ -2,7 +2,7 @@
 
 import { pathText, recipeError } from './problem';
 import { type Recipe, type Step, type StepType, stepRow } from './recipe';
-import { namesOf, producedNames, producerOf, referencesOf } from './references';
+import { mainInput, namesOf, producedNames, producerOf, referencesOf } from './references';
 
 const MESH_EXTENSIONS: readonly string[] = ['obj', 'ply', 'stl', 'glb', 'gltf'];
 /** Those that can hold a skin, and morph targets. */
@@ -51,7 +51,11 @@ function checkMembers(recipe: Recipe, step: Step, at: number): void {
   const set = referencesOf(step).find(({ several }) => several);
   const maker = set && recipe.steps.find(({ id }) => id === set.name);
   const names = maker && stepRow(maker.type).outputs?.(maker);
-  for (const { path, name } of (names && stepRow(step.type).members?.(step)) || [])
+  const changedBy = (id: string) => {
+    const earlier = recipe.steps.find((each) => each.id === id);
+    return earlier && mainInput(earlier);
+  };
+  for (const { path, name } of (names && stepRow(step.type).members?.(step, changedBy)) || [])
     if (!names?.includes(name))
       throw recipeError(
         pathText(['steps', at, ...path]),

@@ -12,7 +12,7 @@ import { dressMembers, dressStep } from './steps/dress';
 import { hairStep } from './steps/hair';
 import { matchStep } from './steps/match';
 import { mergeStep } from './steps/merge';
-import { transferStep } from './steps/transfer';
+import { transferMembers, transferStep } from './steps/transfer';
 
 /** The version that is written. `migrations` knows how to read the earlier ones. */
 export const RECIPE_VERSION = 1;
@@ -22,7 +22,12 @@ export const STEP_TYPES = {
   deform: stepType(deformStep, { main: 'model', writes: 'mesh', workspace: 'deform' }),
   merge: stepType(mergeStep, { main: 'target', writes: 'mesh', workspace: 'merge' }),
   hair: stepType(hairStep, { main: 'model', writes: 'strands', workspace: 'hair' }),
-  transfer: stepType(transferStep, { main: 'model', writes: 'mesh', workspace: 'transfer' }),
+  transfer: stepType(transferStep, {
+    main: 'model',
+    writes: 'mesh',
+    workspace: 'transfer',
+    members: transferMembers,
+  }),
   curves: stepType(curvesStep, { main: 'model', writes: 'mesh', skin: true, workspace: 'curves' }),
   match: stepType(matchStep, {
     main: 'models',

@@ -22,8 +22,11 @@ type Facts<S> = {
   readonly workspace: string | null;
   /** Whether what it does can be told by joints: an output may ask for a skin. */
   readonly skin?: true;
-  /** Where it names single ones of the models that its reference to several stands for, by their names there. */
-  readonly members?: (step: S) => readonly Member[];
+  /**
+   * Where it names single ones of the models that its reference to several stands for, by their names there.
+   * @param changedBy  the model that an earlier step changes
+   */
+  readonly members?: (step: S, changedBy: (step: string) => string | undefined) => readonly Member[];
 } & (
   | { readonly writes: 'mesh' | 'strands' }
   /** `outputs` are the names of what it leaves: `<id>/<name>` wherever a step or an output names a model. */
@@ -43,6 +46,6 @@ export interface StepRow<S> {
   readonly workspace: string | null;
   readonly skin?: true;
   readonly writes: 'mesh' | 'strands' | 'meshes';
-  members?(step: S): readonly Member[];
+  members?(step: S, changedBy: (step: string) => string | undefined): readonly Member[];
   outputs?(step: S): readonly string[];
 }

@@ -27,3 +27,13 @@ TEST_CASE("where it bends each vertex turns as what is around it, and needles ha
     for (Eigen::Index v = 0; v < bent.rows(); ++v)
         if (bar.points(v, 1) > 0.5 && bar.points(v, 1) < 7.5) CHECK(turns[static_cast<std::size_t>(v)].isApprox(AngleAxisd(bar.points(v, 1) / 4, Vector3d::UnitZ()).toRotationMatrix(), 0.06));
 }
+
+TEST_CASE("the map of each triangle is that of the surface, and a needle tells none") {
+    const lissom::TriangleMesh ball = shapes::bumpy_sphere(2);
+    const Matrix3d map = 3.5 * AngleAxisd(1.1, Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+    for (const Matrix3d& found : lissom::surface_maps(ball, ball.points * map.transpose())) CHECK(found.isApprox(map, 1e-9));
+    lissom::TriangleMesh needle{lissom::Points(3, 3), lissom::Triangles(1, 3)};
+    needle.points << 0, 0, 0, 1, 0, 0, 0.5, 1e-9, 0;
+    needle.triangles << 0, 1, 2;
+    CHECK(lissom::surface_maps(needle, needle.points)[0].isZero(0));
+}

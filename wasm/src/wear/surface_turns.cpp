@@ -1,5 +1,6 @@
 #include "lissom/wear/surface_turns.h"
 
+#include "lissom/mesh/operators.h"
 #include "lissom/mesh/polar.h"
 
 #include <Eigen/LU>
@@ -12,8 +13,8 @@ namespace lissom {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-std::vector<Matrix3d> surface_turns(const TriangleMesh& from, const Points& to) {
-    std::vector<Matrix3d> sums(static_cast<std::size_t>(from.vertex_count()), Matrix3d::Zero());
+std::vector<Matrix3d> surface_maps(const TriangleMesh& from, const Points& to) {
+    std::vector<Matrix3d> maps(static_cast<std::size_t>(from.triangle_count()), Matrix3d::Zero());
     for (int t = 0; t < from.triangle_count(); ++t) {
         const auto frame = [&](const Points& points) {
             const Vector3d a = points.row(from.triangles(t, 0)), b = points.row(from.triangles(t, 1)), c = points.row(from.triangles(t, 2));
@@ -26,9 +27,17 @@ std::vector<Matrix3d> surface_turns(const TriangleMesh& from, const Points& to) 
         const Matrix3d here = frame(from.points), there = frame(to);
         const double area = here.col(0).cross(here.col(1)).norm(), longest = std::max({here.col(0).squaredNorm(), here.col(1).squaredNorm(), (here.col(1) - here.col(0)).squaredNorm()});
         if (!(area > 1e-6 * longest) || there.col(2).isZero(0)) continue; // a needle says nothing of turns
-        const Matrix3d map = area * there * here.inverse();
-        for (int k = 0; k < 3; ++k) sums[from.triangles(t, k)] += map;
+        maps[static_cast<std::size_t>(t)] = there * here.inverse();
     }
+    return maps;
+}
+
+std::vector<Matrix3d> surface_turns(const TriangleMesh& from, const Points& to) {
+    const std::vector<Matrix3d> maps = surface_maps(from, to);
+    const Eigen::VectorXd areas = triangle_areas(from);
+    std::vector<Matrix3d> sums(static_cast<std::size_t>(from.vertex_count()), Matrix3d::Zero());
+    for (int t = 0; t < from.triangle_count(); ++t)
+        for (int k = 0; k < 3; ++k) sums[static_cast<std::size_t>(from.triangles(t, k))] += 2 * areas[t] * maps[static_cast<std::size_t>(t)];
     for (Matrix3d& sum : sums) sum = nearest_rotation(sum);
     return sums;
 }

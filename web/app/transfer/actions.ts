@@ -42,9 +42,14 @@ export class TransferActions {
     return step && poseOf(this.parts.state.recipe.value, step);
   }
 
+  /** Whether the open step's pose goes from skin to skin, and nothing is paired. Reads signals. */
+  isThrough(): boolean {
+    return this.own.step.value?.through !== undefined;
+  }
+
   /** Reads signals. */
   poses(): readonly DeformStep[] {
-    return posesFor(this.parts.state.recipe.value, this.own.step.value?.id);
+    return posesFor(this.parts.state.recipe.value, this.own.step.value);
   }
 
   handleName(index: number, pose = this.pose()): string {

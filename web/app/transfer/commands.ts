@@ -95,7 +95,7 @@ export function transferCommands(context: Context, own: TransferState, transfer:
       workspace,
       title: 'command.transfer.edit-pose',
       icon: 'pencil',
-      enabled: () => open() && transfer.pose() !== undefined,
+      enabled: () => open() && (transfer.pose() !== undefined || transfer.isThrough()),
       run: () => transfer.editPose(),
     },
     {
@@ -113,7 +113,7 @@ export function transferCommands(context: Context, own: TransferState, transfer:
       workspace,
       title: 'command.transfer.target',
       icon: 'box',
-      enabled: open,
+      enabled: () => open() && !transfer.isThrough(),
       run: () => transfer.target.change(),
     },
     {

@@ -61,4 +61,8 @@ async function waiting(
 }
 
 const samePairs = (a: TransferStep, b: TransferStep): boolean =>
-  a.id === b.id && a.model === b.model && a.like === b.like && a.handles === b.handles;
+  a.id === b.id &&
+  a.model === b.model &&
+  a.like === b.like &&
+  a.through === b.through &&
+  a.handles === b.handles;

@@ -1,7 +1,7 @@
 // What the workspace shows beside the result follows it: the pose it is like, what it took, what it did.
 
 import { isCancelled } from '../../core/errors';
-import type { Recipe } from '../../recipe/recipe';
+import type { Recipe, TransferStep } from '../../recipe/recipe';
 import { mainOf, type ReportOf } from '../../run/results';
 import type { Evaluation } from '../evaluated';
 import { tCode } from '../i18n';
@@ -37,12 +37,17 @@ export class Follow {
   }
 
   /** The pose that a step is to give, made where it is not known yet; `null` where that names no pose. */
-  async source(recipe: Recipe, like: string, signal?: AbortSignal): Promise<SourcePose | null> {
-    const step = poseOf(recipe, { like });
-    if (!step) return null;
+  async source(
+    recipe: Recipe,
+    { like, through }: Pick<TransferStep, 'like' | 'through'>,
+    signal?: AbortSignal,
+  ): Promise<SourcePose | null> {
+    const step = recipe.steps.find(({ id }) => id === like);
+    const handles = poseOf(recipe, { like, through })?.handles;
+    if (!step || !(handles || through !== undefined)) return null;
     const results = await this.parts.runner.run(recipe, { until: like, ...(signal && { signal }) });
     const { inputs, model } = results.get(like)!;
-    return { step, rest: mainOf(step, inputs), posed: model.positions };
+    return { id: like, handles: handles ?? [], rest: mainOf(step, inputs), posed: model.positions };
   }
 
   /** The runner knows the results by now, so this only reads and measures. */
@@ -51,9 +56,9 @@ export class Follow {
     signal: AbortSignal,
   ): Promise<void> {
     if (step.type !== 'transfer') return;
-    const made = [poseOf(recipe, step), inputs[1]?.opened];
+    const made = [recipe.steps.find(({ id }) => id === step.like), step.through, inputs[1]?.opened];
     if (inputs.length < 2 || made.some((each, i) => each !== this.#source[i])) {
-      this.own.source.value = await this.source(recipe, step.like, signal);
+      this.own.source.value = await this.source(recipe, step, signal);
       this.#source = made;
     }
     if (!settled || !report) return;
@@ -66,11 +71,11 @@ export class Follow {
 function figuresOf({ report }: Evaluation): TransferFigures | null {
   if (report?.type !== 'transfer') return null;
   const { unknowns, iterations, seconds } = report as ReportOf<'transfer'>;
-  const { fields = 0, reduce = 0, perIteration = 0, solve = 0 } = seconds;
+  const { fields = 0, reduce = 0, prepare = 0, perIteration = 0, solve = 0 } = seconds;
   return {
     unknowns,
     iterations,
-    prepare: 1000 * (fields + reduce),
+    prepare: 1000 * (fields + reduce + prepare),
     transfer: 1000 * (iterations * perIteration + solve),
   };
 }

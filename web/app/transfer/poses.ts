@@ -4,30 +4,42 @@ import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
 import { replaceStep, stepOf } from '../../recipe/edit';
 import type { DeformStep, Recipe, Step, TransferStep } from '../../recipe/recipe';
 import { mainInput, producerOf, referencesOf } from '../../recipe/references';
+import { memberOf } from '../../recipe/steps/transfer';
 import { setCounterpart } from '../../tools/transfer/edits';
 
-/** The step with a pose; `undefined` where `like` names something else by now. */
-export const poseOf = (recipe: Recipe, { like }: Pick<TransferStep, 'like'>): DeformStep | undefined =>
-  stepOf(recipe, like, 'deform');
+/** The step with a pose whose handles are paired; `undefined` where `like` names something else by now, or nothing is paired (`through`). */
+export const poseOf = (
+  recipe: Recipe,
+  { like, through }: Pick<TransferStep, 'like' | 'through'>,
+): DeformStep | undefined => (through === undefined ? stepOf(recipe, like, 'deform') : undefined);
 
 /** Ids of the steps that one depends on, its own among them. */
 function closure(recipe: Recipe, step: Step): ReadonlySet<string> {
   const found = new Set([step.id]);
   for (const { name } of referencesOf(step)) {
-    const maker = producerOf(recipe, name);
+    const maker = producerOf(recipe, name) ?? recipe.steps.find(({ id }) => id === name);
     if (maker) for (const id of closure(recipe, maker)) found.add(id);
   }
   return found;
 }
 
-/** Deform steps with handles that do not start from the transfer itself. @param id  of the transfer, if there is one */
-export const posesFor = (recipe: Recipe, id?: string): DeformStep[] =>
+/**
+ * Deform steps with handles that do not start from the transfer itself; where it goes through a match, those of the match's models.
+ * @param transfer  if there is one
+ */
+export const posesFor = (recipe: Recipe, transfer?: TransferStep): DeformStep[] =>
   recipe.steps.filter(
     (step): step is DeformStep =>
       step.type === 'deform' &&
       step.handles.length > 0 &&
-      !(id !== undefined && closure(recipe, step).has(id)),
+      !(transfer && (closure(recipe, step).has(transfer.id) || !isWithin(recipe, transfer, step))),
   );
+
+function isWithin(recipe: Recipe, { through }: TransferStep, pose: DeformStep): boolean {
+  if (through === undefined) return true;
+  const models = stepOf(recipe, through, 'match')?.models;
+  return models?.includes(memberOf(through, mainInput(pose))) ?? false;
+}
 
 /** The pose to begin with: the open step's, else the last one. */
 export function firstPose(recipe: Recipe, open: string): DeformStep | undefined {
@@ -49,6 +61,7 @@ export function withPose(recipe: Recipe, step: TransferStep, pose: DeformStep): 
 
 /** For each handle of the pose that the step is to give, the counterpart that the step has for it already. */
 function matched(recipe: Recipe, step: TransferStep, pose: DeformStep): TransferStep['handles'] {
+  if (step.through !== undefined) return [];
   const old = poseOf(recipe, step)?.handles ?? [];
   const inOrder = step.handles.length === pose.handles.length;
   return pose.handles.map((handle, i) => {

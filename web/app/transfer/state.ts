@@ -8,7 +8,10 @@ import type { State } from '../state';
 
 /** The model that has the pose. */
 export interface SourcePose {
-  readonly step: DeformStep;
+  /** Of the step that has it. */
+  readonly id: string;
+  /** None where nothing is to be paired. */
+  readonly handles: DeformStep['handles'];
   readonly rest: ModelResult;
   /** 3 per vertex. */
   readonly posed: Float64Array;

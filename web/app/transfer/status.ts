@@ -7,10 +7,11 @@ import type { TransferActions } from './actions';
 /** Reads signals. @param key  the shortcut of a command as it is shown */
 export function transferStatus(
   state: State,
-  actions: Pick<TransferActions, 'pose' | 'handleName' | 'open'>,
+  actions: Pick<TransferActions, 'pose' | 'handleName' | 'isThrough' | 'open'>,
   key: (command: string) => string,
 ): string {
   if (state.choosing.value) return t('status.transfer.choose');
+  if (actions.isThrough()) return t('status.transfer.through');
   const pose = actions.pose();
   const { item } = state.selection.value;
   const keys = { smaller: key('brush.smaller'), larger: key('brush.larger'), next: key('transfer.next') };

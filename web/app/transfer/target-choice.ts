@@ -41,7 +41,7 @@ export class TargetChoice {
   async #ask(like: string, swaps: string | null): Promise<void> {
     const { state, document } = this.parts;
     const { recipe } = document;
-    const source = await this.follow.source(recipe, like);
+    const source = await this.follow.source(recipe, { like });
     if (document.recipe !== recipe) return;
     this.own.source.value = source;
     const choose = (name: string, ref: ModelRef) => this.#choose(name, ref, like, swaps);

@@ -155,7 +155,7 @@ function mountSource(
   const markers = viewport.mount(MARKERS);
   const pick = new PickTool({
     handleAt: ({ x, y, hit }) => {
-      const handles = own.source.peek()?.step.handles ?? [];
+      const handles = own.source.peek()?.handles ?? [];
       const marker = markers.port.pickMarker(x, y);
       if (marker !== null) return Number(marker);
       const index = hit
@@ -192,7 +192,7 @@ function mountSource(
       const open = new Set(own.step.value && !state.choosing.value ? actions.open() : []);
       const positions = own.atRest.value ? source.rest.model.positions : source.posed;
       const count = positions.length / 3;
-      const parts = source.step.handles.map(({ kind, vertices }, index): Part => {
+      const parts = source.handles.map(({ kind, vertices }, index): Part => {
         return { index, kind, vertices: listed(vertices, count), open: open.has(index) };
       });
       const picked = state.choosing.value ? null : selected;

@@ -38,7 +38,9 @@ export function create(parts: WingParts): TransferWing {
     start: () => actions.target.start(),
     last: (recipe) => lastTransfer(recipe, state.step.peek()?.id),
     isIdle: (step) =>
-      step.type === 'transfer' && step.handles.filter((set) => !isEmpty(set)).length < FEWEST_PAIRS,
+      step.type === 'transfer' &&
+      step.through === undefined &&
+      step.handles.filter((set) => !isEmpty(set)).length < FEWEST_PAIRS,
     publish: (shown) => follow.publish(shown),
     warnings,
     status: (key) => transferStatus(state, actions, key),

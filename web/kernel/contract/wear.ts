@@ -75,6 +75,22 @@ export interface Dressed {
   readonly seconds: { readonly dress: number };
 }
 
+export interface PreparedThrough {
+  readonly id: KernelId;
+  /** Vertices of the skin. */
+  readonly unknowns: number;
+  readonly seconds: { readonly prepare: number };
+  readonly peakBytes: number;
+}
+
+export interface TransferredThrough {
+  /** 3 per source vertex of the target. */
+  readonly positions: Float64Array;
+  /** Solves. */
+  readonly iterations: number;
+  readonly seconds: { readonly solve: number };
+}
+
 /** Where points lie nearest on a model. */
 export interface SurfacePlaces {
   /** Of each: one of the model's drawable triangles. */
@@ -83,7 +99,7 @@ export interface SurfacePlaces {
   readonly weights: Float64Array;
 }
 
-/** What skins of one connectivity are for (Skins 5): shapes between them, and what is worn on one carried to another. */
+/** What skins of one connectivity are for (Skins 5): shapes between them, and what is worn on one carried to another, poses given on. */
 export interface WearKernel {
   /** Factors what the parts are pasted by: once per set of parts. Codes: empty-part, whole-part, vertex-out-of-range. Reports progress. */
   prepareBlend(args: Skins & { parts: readonly PartSpec[] }): PreparedBlend;
@@ -106,6 +122,24 @@ export interface WearKernel {
 
   /** The garment on the other body, with more or less ease. The fast half. */
   dress(args: { dress: KernelId; offset: number }): Dressed;
+
+  /** Two models and their skins, for poses of the one given to the other: once per pair. Reports progress. Codes: flat-skin, wrong-size. */
+  prepareTransferThrough(args: {
+    source: KernelId;
+    target: KernelId;
+    triangles: Uint32Array;
+    from: Float64Array;
+    to: Float64Array;
+  }): PreparedThrough;
+
+  /** The target in a pose of the source. The fast half. Codes: wrong-size, non-finite-position, bad-option. */
+  transferThrough(args: {
+    transfer: KernelId;
+    /** 3 per source vertex of the source. */
+    pose: Float64Array;
+    strength: number;
+    keepStretch: boolean;
+  }): TransferredThrough;
 
   /** The places of a model nearest to points of its space: what is known of the model can be read there. */
   placesOn(args: { model: KernelId; points: Float64Array }): SurfacePlaces;

@@ -4,7 +4,7 @@ import type { HandlersOf } from '../serve';
 import { prepared } from './prepared';
 import type { Registry } from './registry';
 
-/** Blends and garments: prepared in slices, then asked again and again. */
+/** Blends, garments and poses: prepared in slices, then asked again and again. */
 export function wearHandlers(wasm: KernelModule, registry: Registry): HandlersOf<WearKernel> {
   return {
     prepareBlend: ({ triangles, positions, parts }, job) =>
@@ -26,5 +26,13 @@ export function wearHandlers(wasm: KernelModule, registry: Registry): HandlersOf
     placesOn: ({ model, points }) => wasm.placesOn(registry.get(model, wasm.WorkingMesh), points),
 
     dress: ({ dress, offset }) => registry.get(dress, wasm.DressSession).dress(offset),
+
+    prepareTransferThrough({ source, target, triangles, from, to }, job) {
+      const [a, b] = [registry.get(source, wasm.WorkingMesh), registry.get(target, wasm.WorkingMesh)];
+      return prepared(new wasm.SkinPose(a, b, triangles, from, to), job, registry, wasm);
+    },
+
+    transferThrough: ({ transfer, pose, strength, keepStretch }) =>
+      registry.get(transfer, wasm.SkinPose).give(pose, strength, keepStretch),
   };
 }

@@ -17,6 +17,7 @@ import {
   type StepRunner,
   signalOf,
 } from './step-runner';
+import { checkThrough, isThrough, membersOf, runThrough } from './transfer/through';
 
 /** Between two handles a field has a slope; with one alone there is nothing to tell places apart by. */
 const FEWEST_PAIRS = 2;
@@ -30,9 +31,10 @@ export interface TransferFigures {
 
 export const transferRunner = {
   /** The one on screen, and the one to switch back to. */
-  keeps: { prepareTransfer: 2 },
+  keeps: { prepareTransfer: 2, prepareTransferThrough: 2 },
 
   check(step, path, [target, posed]) {
+    if (isThrough(step)) return checkThrough(step, path, posed);
     if (posed) checkPose(step, path, posed);
     if (!target) return;
     for (const [at, set] of step.handles.entries()) checkVertices(set, `${path}.handles[${at}]`, target);
@@ -47,9 +49,11 @@ export const transferRunner = {
     handles: step.handles.map(vertexSetKey),
     strength: step.strength,
     keepStretch: step.keepStretch,
+    through: pose && isThrough(step) && membersOf(step, pose),
   }),
 
   async run(step, context): Promise<StepOutcome<TransferFigures>> {
+    if (isThrough(step)) return runThrough(step, context);
     const [target, posed] = context.inputs as [ModelResult, ModelResult];
     const { pose, rest } = sourceOf(context);
     const pairs = pairsOf(step, pose, vertexCount(target.model), vertexCount(rest.model));

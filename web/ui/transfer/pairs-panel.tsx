@@ -8,7 +8,14 @@ import { useTransfer } from './use-transfer';
 
 /** Each handle of the pose, and whether its counterpart is known. */
 export function PairsPanel() {
-  const { actions: transfer } = useTransfer();
+  const { actions: transfer, state: own } = useTransfer();
+  const through = own.step.value?.through;
+  if (through !== undefined)
+    return (
+      <Section title={t('ui.transfer.pairs')}>
+        <p class="muted">{t('ui.transfer.through', { name: through })}</p>
+      </Section>
+    );
   const rows = transfer.rows();
   if (rows.length === 0) return null;
   const paired = rows.length - transfer.open().length;

@@ -12,7 +12,7 @@ export function PosePanel() {
   const { state: own, actions: transfer } = useTransfer();
   const choosing = state.choosing.value !== null;
   const poses = transfer.poses();
-  const given = choosing ? own.source.value?.step.id : own.step.value?.like;
+  const given = choosing ? own.source.value?.id : own.step.value?.like;
   return (
     <Section
       title={t('ui.transfer.pose')}

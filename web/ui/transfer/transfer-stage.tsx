@@ -21,7 +21,7 @@ export function TransferStage() {
             view={panes.all.value[0]?.viewport}
             positions={own.atRest.value ? source.rest.model.positions : source.posed}
             rest={source.rest.model.positions}
-            sets={source.step.handles.map(({ vertices }) => vertices)}
+            sets={source.handles.map(({ vertices }) => vertices)}
           />
         )}
         {source && (

@@ -1,0 +1,145 @@
+// A pose given through a match, on the real kernel: by the skins, nothing is paired.
+
+import { beforeAll, describe, expect, test } from 'vitest';
+import type { Model } from '../../web/core/model';
+import { loadKernel } from '../../web/kernel/node';
+import { parseRecipe } from '../../web/recipe/parse';
+import type { Recipe } from '../../web/recipe/recipe';
+import { Runner } from '../../web/run/evaluate';
+import type { StepResult } from '../../web/run/results';
+import { fig, pear, plum } from '../kernel/balls';
+
+const SHAPES = { pear: pear(), plum: plum(), fig: fig() };
+const MATCH = {
+  id: 'm',
+  type: 'match',
+  models: ['pear', 'plum'],
+  markers: SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]),
+  edgeLength: 0.3,
+};
+
+type Shape = Pick<Model, 'positions'>;
+const top = ({ positions }: Shape): number[] => verticesWhere(positions, (y) => y > 0.6);
+const bottom = ({ positions }: Shape): number[] => verticesWhere(positions, (y) => y < -0.6);
+const verticesWhere = (positions: Float64Array, holds: (y: number) => boolean) =>
+  [...positions.keys()].filter((at) => at % 3 === 1 && holds(positions[at]!)).map((at) => (at - 1) / 3);
+
+const moved = (x: number, y = 0) => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, 0, 1];
+/** The lower end stays, the upper one is moved. */
+const pose = (x: number, more: object = {}) => ({
+  id: 'pose',
+  type: 'deform',
+  model: 'pear',
+  handles: [
+    { kind: 'region', vertices: bottom(SHAPES.pear), matrix: moved(0) },
+    { kind: 'region', vertices: top(SHAPES.pear), matrix: moved(x) },
+  ],
+  ...more,
+});
+const give = (more: object = {}) => ({
+  id: 'give',
+  type: 'transfer',
+  model: 'plum',
+  like: 'pose',
+  through: 'm',
+  ...more,
+});
+const recipeOf = (...steps: unknown[]): Recipe =>
+  parseRecipe({
+    lissom: 1,
+    models: Object.fromEntries(Object.keys(SHAPES).map((name) => [name, { builtin: name }])),
+    steps: [MATCH, ...steps],
+  });
+
+let runner: Runner;
+beforeAll(async () => {
+  const loaded = new Map<string, Model>(
+    Object.entries(SHAPES).map(([name, shape]) => [name, { name, ...shape }]),
+  );
+  runner = new Runner({
+    kernel: await loadKernel(),
+    models: { load: async (name: string) => loaded.get(name)! },
+  });
+});
+
+const run = async (...steps: object[]) => (await runner.run(recipeOf(...steps))) as Map<string, StepResult>;
+const given = async (...steps: object[]) =>
+  (await run(...steps)).get('give') as unknown as StepResult<'transfer'>;
+/** How far the upper end moves along x against the lower one. */
+const lean = (model: Shape, rest: Shape) => {
+  const mean = (vertices: readonly number[]) =>
+    vertices.reduce((sum, v) => sum + model.positions[3 * v]! - rest.positions[3 * v]!, 0) / vertices.length;
+  return mean(top(rest)) - mean(bottom(rest));
+};
+
+test('the other model leans as the first does, with its own faces and nothing paired', async () => {
+  const { model, report } = await given(pose(0.8), give({ keepStretch: true }));
+  expect(model.faceVertices).toBe(SHAPES.plum.faceVertices);
+  expect(model.positions.every(Number.isFinite)).toBe(true);
+  expect(lean(model, SHAPES.plum)).toBeGreaterThan(0.4);
+  expect(lean(model, SHAPES.plum)).toBeLessThan(1);
+  expect(report).toMatchObject({ id: 'give', type: 'transfer', iterations: 1, warnings: [] });
+  expect(report.unknowns).toBeGreaterThan(100);
+  expect(Object.keys(report.seconds)).toEqual(['prepare', 'solve']);
+});
+
+test('no pose, or no strength, leaves it as it is', async () => {
+  for (const steps of [
+    [pose(0), give()],
+    [pose(0.8), give({ strength: 0 })],
+  ]) {
+    const { model } = await given(...steps);
+    for (let at = 0; at < model.positions.length; at++)
+      expect(model.positions[at]).toBeCloseTo(SHAPES.plum.positions[at]!, 8);
+  }
+});
+
+test('a model that is given its own pose has it', async () => {
+  const results = await run(pose(0.5), give({ model: 'pear', keepStretch: true }));
+  const posed = results.get('pose')!.model;
+  const own = results.get('give')!.model;
+  // The model itself, through its skin: what the skin is too coarse to say is lost.
+  for (let at = 0; at < own.positions.length; at++)
+    expect(Math.abs(own.positions[at]! - posed.positions[at]!)).toBeLessThan(0.08);
+});
+
+test('strength changes nothing that is prepared; a pose of a skin is given to a skin', async () => {
+  const half = await given(pose(0.8), give({ strength: 0.5, keepStretch: true }));
+  const whole = await given(pose(0.8), give({ keepStretch: true }));
+  expect(lean(half.model, SHAPES.plum)).toBeGreaterThan(0.3 * lean(whole.model, SHAPES.plum));
+  expect(lean(half.model, SHAPES.plum)).toBeLessThan(0.7 * lean(whole.model, SHAPES.plum));
+
+  const skins = (await run()).get('m')!.models!;
+  const onSkin = pose(0, {
+    model: 'm/pear',
+    handles: [
+      { kind: 'region', vertices: bottom(skins.pear!), matrix: moved(0) },
+      { kind: 'region', vertices: top(skins.pear!), matrix: moved(0.8) },
+    ],
+  });
+  const { model } = await given(onSkin, give({ model: 'm/plum', keepStretch: true }));
+  expect(model.positions).toHaveLength(skins.plum!.positions.length);
+  expect(lean(model, skins.plum!)).toBeGreaterThan(0.4);
+});
+
+test('another model of the same match is another result', async () => {
+  const plum = await given(pose(0.8), give());
+  const pear = await given(pose(0.8), give({ model: 'pear' }));
+  expect(pear.model.positions).not.toEqual(plum.model.positions);
+  expect(pear.model.positions).toHaveLength(SHAPES.pear.positions.length);
+});
+
+describe('refused', () => {
+  test.each<[string, object[]]>([
+    ['recipe-invalid', [pose(1), give({ model: 'fig' })]],
+    ['recipe-invalid', [pose(1, { model: 'fig', handles: [] }), give()]],
+    ['recipe-invalid', [pose(1), give({ through: 'pear' })]],
+    ['recipe-invalid', [pose(1), give({ through: 'pose' })]],
+    ['not-a-pose', [pose(1), give({ like: 'pear' })]],
+    ['not-a-pose', [pose(1), give({ like: 'm/pear' })]],
+    ['handle-count', [pose(1), give({ handles: [[1], [2]] })]],
+    ['handle-count', [pose(1), give({ through: undefined })]],
+  ])('%s %#', async (code, steps) => {
+    await expect(async () => run(...steps)).rejects.toMatchObject({ code });
+  });
+});
