@@ -80,12 +80,8 @@ EigenTimes through_eigen(const SparseMatrix& A, int repeat) {
 /// One line of JSON.
 std::string measure(int free, bool with_short_edges, bool with_eigen, int repeat) {
     char line[1000];
-<<<<<<< HEAD
-    const lissom::PolygonMesh mesh = bench::bumpy_egg(static_cast<int>(free / 0.95));
-=======
-    lissom::PolygonMesh mesh = bumpy_egg(static_cast<int>(free / 0.95));
+    lissom::PolygonMesh mesh = bench::bumpy_egg(static_cast<int>(free / 0.95));
     if (with_short_edges) add_short_edges(mesh);
->>>>>>> main
     const WorkingMesh working = lissom::make_working_mesh(mesh);
     std::vector<int> roi(static_cast<std::size_t>(mesh.vertex_count()));
     std::iota(roi.begin(), roi.end(), 0);
