@@ -122,6 +122,15 @@ test('strength changes nothing that is prepared; a pose of a skin is given to a 
   expect(lean(model, skins.plum!)).toBeGreaterThan(0.4);
 });
 
+test('a pose of curves is one, too', async () => {
+  const rest = [-0.9, -0.5, 0, 0.5, 0.9].map((y) => [0, y, 0]);
+  const posed = rest.map(([x, y, z]) => [x! + 0.25 * (y! + 0.9) ** 2, y, z]);
+  const curve = { id: 'c', kind: 'skeleton', rest, posed, anchor: 'start' };
+  const bent = { id: 'pose', type: 'curves', model: 'pear', curves: [curve] };
+  const { model } = await given(bent, give({ keepStretch: true }));
+  expect(lean(model, SHAPES.plum)).toBeGreaterThan(0.3);
+});
+
 test('another model of the same match is another result', async () => {
   const plum = await given(pose(0.8), give());
   const pear = await given(pose(0.8), give({ model: 'pear' }));
