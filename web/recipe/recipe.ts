@@ -3,7 +3,7 @@
 
 import * as v from 'valibot';
 import { MAX_STEPS } from './limits';
-import { fileName, listUpTo, oneOf, stepId } from './schema-parts';
+import { fileName, listUpTo, oneOf, reference } from './schema-parts';
 import { type StepRow, stepType } from './step-row';
 import { blendMembers, blendStep } from './steps/blend';
 import { curvesStep } from './steps/curves';
@@ -54,7 +54,7 @@ const modelRef = v.union(
 );
 
 const output = v.strictObject({
-  step: stepId,
+  step: reference,
   file: v.pipe(
     fileName,
     v.regex(/^[^/\\\p{Cc}]+$/u, 'a file name without folders'),
