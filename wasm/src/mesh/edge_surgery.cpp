@@ -1,4 +1,4 @@
-#include "edge_surgery.h"
+#include "lissom/mesh/edge_surgery.h"
 
 #include <algorithm>
 #include <iterator>

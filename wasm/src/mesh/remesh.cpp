@@ -1,13 +1,12 @@
 #include "lissom/mesh/remesh.h"
 
 #include "lissom/mesh/edge_lengths.h"
+#include "lissom/mesh/edge_surgery.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/topology.h"
 #include "lissom/mesh/triangle_tree.h"
-
-#include "edge_surgery.h"
 
 #include <Eigen/Geometry>
 

@@ -7,10 +7,11 @@
 #include "lissom/mesh/surface_samples.h"
 #include "lissom/wear/surface_turns.h"
 
+#include "skin_checks.h"
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <string>
 
 namespace lissom {
 
@@ -24,14 +25,6 @@ constexpr double k_near = 0.0155;
 constexpr int k_places = 1200;
 /// People whose sizes differ by less than this wear the same ease; dolls and giants theirs in proportion.
 constexpr double k_alike = 1.25;
-
-void check(const Triangles& triangles, const Points& from, const Points& to) {
-    if (from.rows() != to.rows())
-        throw InvalidInput("wrong-size", "The skins have " + std::to_string(from.rows()) + " and " + std::to_string(to.rows()) + " vertices; they must be of one connectivity.");
-    if (triangles.size() > 0 && (triangles.minCoeff() < 0 || triangles.maxCoeff() >= from.rows()))
-        throw InvalidInput("vertex-out-of-range", "A triangle of the skins names a vertex that they do not have.");
-    if (!from.allFinite() || !to.allFinite()) throw InvalidInput("non-finite-position", "A vertex of a skin has no finite position.");
-}
 
 } // namespace
 
@@ -47,7 +40,7 @@ struct BodyMap::State {
 };
 
 BodyMap::BodyMap(const Triangles& triangles, const Points& from, const Points& to) : state_(std::make_unique<State>()) {
-    check(triangles, from, to);
+    check_skins(triangles, from, to);
     State& s = *state_;
     s.to = {to, triangles};
     s.from = {from, triangles};

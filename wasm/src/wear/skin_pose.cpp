@@ -10,6 +10,8 @@
 #include "lissom/wear/surface_places.h"
 #include "lissom/wear/surface_turns.h"
 
+#include "skin_checks.h"
+
 #include <algorithm>
 #include <numbers>
 #include <optional>
@@ -31,14 +33,6 @@ constexpr double k_alike = 15 * std::numbers::pi / 180;
 constexpr int k_stretch_rounds = 2;
 /// What they may keep (Frobenius norm of the stretch less the identity): a triangle about to fold has 1.
 constexpr double k_most_stretch = 0.25;
-
-void check(const Triangles& triangles, const Points& from, const Points& to) {
-    if (from.rows() != to.rows())
-        throw InvalidInput("wrong-size", "The skins have " + std::to_string(from.rows()) + " and " + std::to_string(to.rows()) + " vertices; they must be of one connectivity.");
-    if (triangles.size() > 0 && (triangles.minCoeff() < 0 || triangles.maxCoeff() >= from.rows()))
-        throw InvalidInput("vertex-out-of-range", "A triangle of the skins names a vertex that they do not have.");
-    if (!from.allFinite() || !to.allFinite()) throw InvalidInput("non-finite-position", "A vertex of a skin has no finite position.");
-}
 
 /// Points that go along with a surface: each with its nearest place.
 struct Riders {
@@ -128,7 +122,7 @@ struct SkinPose::State {
 };
 
 SkinPose::SkinPose(const WorkingMesh& source, const WorkingMesh& target, const Triangles& triangles, const Points& from, const Points& to) : state_(std::make_unique<State>()) {
-    check(triangles, from, to);
+    check_skins(triangles, from, to);
     State& s = *state_;
     s.source = {on_surface(source, source.source), source.mesh.triangles};
     s.source_vertices = source.source_of_working;

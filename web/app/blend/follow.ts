@@ -1,30 +1,30 @@
 // What the workspace shows beside the result follows it: the skins, what measures they have, what it took.
 
-import { isCancelled } from '../../core/errors';
 import { hashValue } from '../../core/hash';
 import type { BlendStep } from '../../recipe/recipe';
 import type { ReportOf } from '../../run/results';
 import { wanting } from '../../tools/blend/edits';
 import type { Evaluation } from '../evaluated';
 import { tCode } from '../i18n';
+import { NewestWork } from '../newest-work';
 import type { WingParts } from '../wing-parts';
 import type { BlendFigures, BlendState } from './state';
 
 export class Follow {
-  #abort = new AbortController();
+  readonly #work: NewestWork;
   /** What the spread that is known was measured on, and how. */
   #measured = '';
 
   constructor(
     private readonly own: BlendState,
     private readonly parts: Pick<WingParts, 'runner' | 'messages'>,
-  ) {}
+  ) {
+    this.#work = new NewestWork(parts.messages);
+  }
 
   publish(shown: Evaluation | null): void {
     const { own } = this;
-    this.#abort.abort();
-    this.#abort = new AbortController();
-    const { signal } = this.#abort;
+    this.#work.end();
     own.figures.value = shown && figuresOf(shown);
     own.problem.value = shown?.problem
       ? tCode('blend.problem.', shown.problem.code, 'error.unknown', { detail: shown.problem.message })
@@ -32,9 +32,8 @@ export class Follow {
     if (!shown) own.skins.value = null;
     // A drag brings nothing new.
     if (!shown || shown.moved || shown.step.type !== 'blend' || !shown.report) return;
-    this.#follow(shown, shown.step, signal).catch((error: unknown) => {
-      if (!isCancelled(error)) this.parts.messages.failed(error);
-    });
+    const { step } = shown;
+    this.#work.start((signal) => this.#follow(shown, step, signal));
   }
 
   /** The runner knows the results by now, so this only reads and measures. */

@@ -1,26 +1,26 @@
 // What the workspace shows beside the shape: regions, what linked curves take over, where the surface meets itself.
 
-import { isCancelled } from '../../core/errors';
 import type { ReportOf } from '../../run/results';
 import { IDENTITY, type Mat4 } from '../../tools/geometry';
 import type { Evaluation } from '../evaluated';
+import { NewestWork } from '../newest-work';
 import type { WingParts } from '../wing-parts';
 import type { CurvesFigures, CurvesState } from './state';
 
 export class Follow {
-  #abort = new AbortController();
+  readonly #work: NewestWork;
   #shown: Evaluation | null = null;
 
   constructor(
     private readonly own: CurvesState,
     private readonly parts: Pick<WingParts, 'runner' | 'messages'>,
-  ) {}
+  ) {
+    this.#work = new NewestWork(parts.messages);
+  }
 
   publish(shown: Evaluation | null): void {
     this.#shown = shown;
-    this.#abort.abort();
-    this.#abort = new AbortController();
-    const { signal } = this.#abort;
+    this.#work.end();
     const { own } = this;
     if (!shown?.report) {
       own.parents.value = [];
@@ -35,9 +35,7 @@ export class Follow {
       ...figures,
       crossings: figures.crossings ?? own.figures.peek()?.crossings ?? null,
     };
-    this.#follow(shown, signal).catch((error: unknown) => {
-      if (!isCancelled(error)) this.parts.messages.failed(error);
-    });
+    this.#work.start((signal) => this.#follow(shown, signal));
   }
 
   /** Shows where the surface goes through itself, or no longer. */

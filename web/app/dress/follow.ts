@@ -5,31 +5,31 @@ import type { DressStep, Recipe } from '../../recipe/recipe';
 import type { ReportOf } from '../../run/results';
 import type { Evaluation } from '../evaluated';
 import { tCode } from '../i18n';
+import { NewestWork } from '../newest-work';
 import type { WingParts } from '../wing-parts';
 import type { DressFigures, DressState, Worn } from './state';
 
 export class Follow {
-  #abort = new AbortController();
+  readonly #work: NewestWork;
 
   constructor(
     private readonly own: DressState,
     private readonly parts: Pick<WingParts, 'runner' | 'messages'>,
-  ) {}
+  ) {
+    this.#work = new NewestWork(parts.messages);
+  }
 
   publish(shown: Evaluation | null): void {
     const { own } = this;
-    this.#abort.abort();
-    this.#abort = new AbortController();
-    const { signal } = this.#abort;
+    this.#work.end();
     own.figures.value = shown && figuresOf(shown);
     own.problem.value = shown?.problem
       ? tCode('dress.problem.', shown.problem.code, 'error.unknown', { detail: shown.problem.message })
       : null;
     if (!shown) own.others.value = [];
     if (shown?.step.type !== 'dress' || !shown.settled) return;
-    this.#follow(shown.recipe, shown.step, signal).catch((error: unknown) => {
-      if (!isCancelled(error)) this.parts.messages.failed(error);
-    });
+    const { recipe, step } = shown;
+    this.#work.start((signal) => this.#follow(recipe, step, signal));
   }
 
   async #follow(recipe: Recipe, step: DressStep, signal: AbortSignal): Promise<void> {

@@ -1,29 +1,29 @@
 // What the workspace shows beside the result follows it: the pose it is like, what it took, what it did.
 
-import { isCancelled } from '../../core/errors';
 import type { Recipe, TransferStep } from '../../recipe/recipe';
 import { mainOf, type ReportOf } from '../../run/results';
 import type { Evaluation } from '../evaluated';
 import { tCode } from '../i18n';
+import { NewestWork } from '../newest-work';
 import type { WingParts } from '../wing-parts';
 import { poseOf } from './poses';
 import type { SourcePose, TransferFigures, TransferState } from './state';
 
 export class Follow {
-  #abort = new AbortController();
+  readonly #work: NewestWork;
   /** What the source on screen was made of: the pose as written, and its result. */
   #source: readonly unknown[] = [];
 
   constructor(
     private readonly own: TransferState,
     private readonly parts: Pick<WingParts, 'runner' | 'messages'>,
-  ) {}
+  ) {
+    this.#work = new NewestWork(parts.messages);
+  }
 
   publish(shown: Evaluation | null): void {
     const { own } = this;
-    this.#abort.abort();
-    this.#abort = new AbortController();
-    const { signal } = this.#abort;
+    this.#work.end();
     own.positions.value = shown?.positions ?? null;
     own.figures.value = shown && figuresOf(shown);
     own.problem.value = shown?.problem
@@ -31,9 +31,7 @@ export class Follow {
       : null;
     if (!shown || !own.figures.value) own.whatItDid.value = null;
     if (!shown) return;
-    this.#follow(shown, signal).catch((error: unknown) => {
-      if (!isCancelled(error)) this.parts.messages.failed(error);
-    });
+    this.#work.start((signal) => this.#follow(shown, signal));
   }
 
   /** The pose that a step is to give, made where it is not known yet; `null` where that names no pose. */

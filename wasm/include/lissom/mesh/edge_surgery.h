@@ -24,6 +24,7 @@ public:
     [[nodiscard]] const std::vector<int>& around(int v) const { return around_[v]; } ///< triangles
     [[nodiscard]] const Corners& corners(int t) const { return triangles_[t]; }
     [[nodiscard]] std::vector<int> ring(int v) const; ///< ascending
+    [[nodiscard]] bool on_border(int v) const;
 
     /// The triangles at an edge: (a, b, left) and (b, a, right); −1 where there is none on that side.
     struct Sides {
@@ -47,7 +48,6 @@ public:
     [[nodiscard]] Triangles triangles(const std::vector<int>& place) const;
 
 private:
-    [[nodiscard]] bool on_border(int v) const;
     void replace(int triangle, const Corners& corners);
     void detach(int triangle);
     void attach(int triangle);
