@@ -11,8 +11,13 @@ import { root } from './system.mjs';
 const reports = path.join(root, 'build/reports');
 const node = process.execPath;
 
-/** Figures of whole models take the sanitizers half an hour, and nothing that smaller ones do not run. */
-const SMALL = ['--source-file-exclude=*_quality_test.cpp'];
+/**
+ * Figures of whole models take the sanitizers half an hour, and run nothing that smaller ones do not. So do whole matches,
+ * wraps and tracked curves, tens of fits and crossing tests each: their parts have tests of their own.
+ */
+const SMALL = [
+  `--source-file-exclude=${['quality', 'match_session', 'sharp_tracking', 'wrap'].map((stem) => `*${stem}_test.cpp`).join(',')}`,
+];
 
 /**
  * In the order they are begun. A layer that keeps only one core busy says so with `beside`: once it is built, what
