@@ -2,7 +2,7 @@
 #include "lissom/wear/blend_session.h"
 #include "lissom/wear/dress_session.h"
 #include "lissom/wear/skin_pose.h"
-#include "lissom/wear/surface_places.h"
+#include "lissom/mesh/surface_places.h"
 
 #include <emscripten/bind.h>
 

@@ -62,6 +62,13 @@ double normals_apart(const TriangleMesh& a, const Points& b) {
     return sum / static_cast<double>(n.rows()) * 57.29577951308232;
 }
 
+std::vector<PersonPose> poses_of_people() {
+    return {{"human/body_male", "human/body_male_walk", "human/body_female"},
+            {"human/body_male", "human/body_male_walk", "human/body_heavy"},
+            {"human/body_female", "human/body_female_armsup", "human/body_male"},
+            {"human/body_female", "human/body_female_armsup", "human/body_heavy"}};
+}
+
 TriangleMesh shared(const std::string& name) {
     const TriangleMesh mesh = handles::shared_model(name + ".ply");
     if (mesh.vertex_count() == 0) MESSAGE("skipped: there is no shared/data/" << name << ".ply here");

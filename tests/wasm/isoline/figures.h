@@ -22,6 +22,12 @@ namespace figures {
 /// A model under shared/data/, or one without vertices where it is not there (a message says so).
 [[nodiscard]] lissom::TriangleMesh shared(const std::string& name);
 
+/// A person at rest, the same posed, and who gets the pose: shared models.
+struct PersonPose {
+    std::string rest, pose, onto;
+};
+[[nodiscard]] std::vector<PersonPose> poses_of_people();
+
 struct Joint {
     Eigen::Vector3d at;
     double radius; ///< 0 for bones of people

@@ -99,11 +99,7 @@ TEST_CASE("stretch is kept where it is asked for, and only there") {
 }
 
 TEST_CASE("poses of people fit other people") {
-    const struct {
-        std::string rest, pose, onto;
-    } cases[] = {{"human/body_male", "human/body_male_walk", "human/body_female"}, {"human/body_male", "human/body_male_walk", "human/body_heavy"},
-                 {"human/body_female", "human/body_female_armsup", "human/body_male"}, {"human/body_female", "human/body_female_armsup", "human/body_heavy"}};
-    for (const auto& [rest, pose_of, onto] : cases) {
+    for (const auto& [rest, pose_of, onto] : figures::poses_of_people()) {
         const TriangleMesh source = figures::shared(rest), pose = figures::shared(pose_of), target = figures::shared(onto);
         if (source.vertex_count() == 0 || pose.vertex_count() == 0 || target.vertex_count() == 0) return;
         auto held = figures::of_person(source, rest, true), over = figures::of_person(target, onto, true);

@@ -23,7 +23,7 @@ Vector3d place_of(const Pull& pull, const Points& points) {
 
 TEST_CASE("of two balls about one middle every place goes straight out, by its share of the area") {
     const FitSurface target(shapes::icosphere(4));
-    const SurfaceSamples samples = sample_surface(target.mesh(), 500);
+    const SurfacePlaces samples = sample_surface(target.mesh(), 500);
     Correspondences find(target, samples);
     TriangleMesh skin = shapes::icosphere(3);
     skin.points *= 0.9;

@@ -2,12 +2,12 @@
 
 #include "../isoline/figures.h"
 #include "pairs.h"
+#include "ring_markers.h"
 #include "shapes.h"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <numbers>
 #include <string>
 
 using Eigen::RowVector3d;
@@ -16,21 +16,6 @@ using lissom::Points;
 using lissom::TriangleMesh;
 
 namespace {
-
-/// Twelve places around an axis along y: on top, below, inside and outside.
-Points around(double ring, double height, double inner, double (*outer)(double), const TriangleMesh& mesh) {
-    const RowVector3d middle = (mesh.points.colwise().minCoeff() + mesh.points.colwise().maxCoeff()) / 2;
-    Points all(48, 3);
-    for (int k = 0; k < 12; ++k) {
-        const double t = k * std::numbers::pi / 6;
-        const RowVector3d d(std::cos(t), 0, std::sin(t));
-        all.row(4 * k) = middle + ring * d + RowVector3d(0, height, 0);
-        all.row(4 * k + 1) = middle + ring * d - RowVector3d(0, height, 0);
-        all.row(4 * k + 2) = middle + inner * d;
-        all.row(4 * k + 3) = middle + outer(t) * d;
-    }
-    return all;
-}
 
 std::string sharp_figures(const lissom::MatchReport& report) {
     std::string line;
@@ -53,8 +38,7 @@ void check_sharp(const lissom::MatchReport& report) {
 TEST_CASE("a ring becomes a nut and a nut a ring: every sharp edge on edges of the skin within 0.05 %") {
     const TriangleMesh torus = shared("generated/out/torus"), nut = shared("generated/out/nut");
     if (torus.vertex_count() == 0 || nut.vertex_count() == 0) return;
-    const Points round = around(1, 0.38, 0.62, [](double) { return 1.38; }, torus);
-    const Points hexagonal = around(0.7, 0.35, 0.5, [](double t) { return std::cos(std::numbers::pi / 6) / std::cos(std::fmod(t + std::numbers::pi / 6, std::numbers::pi / 3) - std::numbers::pi / 6); }, nut);
+    const Points round = rings::on_torus(torus), hexagonal = rings::on_nut(nut);
     for (const bool back : {false, true}) {
         const pairs::Matched matched = back ? pairs::run(nut, torus, hexagonal, round, {.sharp_angle = 35}) : pairs::run(torus, nut, round, hexagonal, {.sharp_angle = 35});
         MESSAGE((back ? "nut -> torus: " : "torus -> nut: ") << pairs::figures(matched) << sharp_figures(matched.result.report));

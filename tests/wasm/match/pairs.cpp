@@ -66,7 +66,7 @@ Matched run(const std::vector<TriangleMesh>& models, const std::vector<Points>& 
 
 Error error(const SkinSet& skins, const TriangleMesh& source, const TriangleMesh& target, int from, int to) {
     const TriangleMesh skin = skins.mesh(from), other = skins.mesh(to);
-    const SurfaceSamples samples = sample_surface(skin, 20000);
+    const SurfacePlaces samples = sample_surface(skin, 20000);
     const Points here = samples.on(skin), there = samples.on(other);
     const TriangleTree tree(source);
     const double D = diagonal(target.points);

@@ -7,6 +7,7 @@
 #include "lissom/mesh/self_intersections.h"
 #include "lissom/mesh/stopwatch.h"
 #include "pairs.h"
+#include "ring_markers.h"
 #include "sharp_truth.h"
 #include "shapes.h"
 
@@ -14,10 +15,8 @@
 
 #include <cmath>
 #include <ctime>
-#include <numbers>
 
 using namespace lissom;
-using Eigen::RowVector3d;
 
 namespace {
 
@@ -25,20 +24,6 @@ std::vector<char> locks(const TriangleMesh& skin, const std::vector<Anchor>& mar
     std::vector<char> flags(static_cast<std::size_t>(skin.vertex_count()), 0);
     for (const Anchor& m : markers) flags[m.vertex] = 1;
     return flags;
-}
-
-/// Twelve places around an axis along y: on top, below, inside and outside.
-Points around(double ring, double height, double inner, double (*outer)(double), const RowVector3d& middle) {
-    Points all(48, 3);
-    for (int k = 0; k < 12; ++k) {
-        const double t = k * std::numbers::pi / 6;
-        const RowVector3d d(std::cos(t), 0, std::sin(t));
-        all.row(4 * k) = middle + ring * d + RowVector3d(0, height, 0);
-        all.row(4 * k + 1) = middle + ring * d - RowVector3d(0, height, 0);
-        all.row(4 * k + 2) = middle + inner * d;
-        all.row(4 * k + 3) = middle + outer(t) * d;
-    }
-    return all;
 }
 
 } // namespace
@@ -95,9 +80,7 @@ TEST_CASE("markers and borders stay") {
 TEST_CASE("a ring becomes a nut: every sharp edge lies on edges of the skin within 0.05 % of the diagonal") {
     const TriangleMesh torus = figures::shared("generated/out/torus"), nut = figures::shared("generated/out/nut");
     if (torus.vertex_count() == 0 || nut.vertex_count() == 0) return;
-    const auto middle = [](const TriangleMesh& mesh) -> RowVector3d { return (mesh.points.colwise().minCoeff() + mesh.points.colwise().maxCoeff()) / 2; };
-    const Points from = around(1, 0.38, 0.62, [](double) { return 1.38; }, middle(torus));
-    const Points to = around(0.7, 0.35, 0.5, [](double t) { return std::cos(std::numbers::pi / 6) / std::cos(std::fmod(t + std::numbers::pi / 6, std::numbers::pi / 3) - std::numbers::pi / 6); }, middle(nut));
+    const Points from = rings::on_torus(torus), to = rings::on_nut(nut);
     const pairs::Matched matched = pairs::run(torus, nut, from, to, {.connectivity = false});
     MESSAGE("torus -> nut: " << pairs::figures(matched));
     TriangleMesh skin = matched.result.skins.mesh(1);

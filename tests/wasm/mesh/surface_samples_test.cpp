@@ -12,7 +12,7 @@ using namespace lissom;
 
 TEST_CASE("samples lie in their triangles, and every patch has as many as its area asks for") {
     const TriangleMesh mesh = shapes::uv_sphere(); // triangles of very different sizes
-    const SurfaceSamples samples = sample_surface(mesh, 5000, 3);
+    const SurfacePlaces samples = sample_surface(mesh, 5000, 3);
     REQUIRE(samples.size() == 5000);
     const Eigen::VectorXd areas = triangle_areas(mesh);
     std::vector<int> count(static_cast<std::size_t>(mesh.triangle_count()), 0);
@@ -29,14 +29,14 @@ TEST_CASE("samples lie in their triangles, and every patch has as many as its ar
 
 TEST_CASE("inside a triangle samples are spread evenly") {
     const TriangleMesh mesh{(Points(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(), (Triangles(1, 3) << 0, 1, 2).finished()};
-    const SurfaceSamples samples = sample_surface(mesh, 1000);
+    const SurfacePlaces samples = sample_surface(mesh, 1000);
     CHECK((samples.weights.colwise().mean().array() - 1.0 / 3).abs().maxCoeff() < 0.005);
     CHECK((samples.weights.array().square().colwise().mean() - 1.0 / 6).abs().maxCoeff() < 0.005);
 }
 
 TEST_CASE("neither unit nor place of the surface matters, the seed does; without area there are none") {
     TriangleMesh mesh = shapes::bumpy_sphere();
-    const SurfaceSamples samples = sample_surface(mesh, 200, 1);
+    const SurfacePlaces samples = sample_surface(mesh, 200, 1);
     CHECK(sample_surface(mesh, 200, 2).weights != samples.weights);
     mesh.points = (1e6 * mesh.points).rowwise() + Eigen::RowVector3d(1e7, 0, 0);
     CHECK(sample_surface(mesh, 200, 1).triangle == samples.triangle);

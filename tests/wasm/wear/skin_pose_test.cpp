@@ -208,11 +208,7 @@ TEST_CASE("what cannot be is refused") {
 }
 
 TEST_CASE("poses of people fit other people through their skins") {
-    const struct {
-        std::string rest, pose, onto;
-    } cases[] = {{"human/body_male", "human/body_male_walk", "human/body_female"}, {"human/body_male", "human/body_male_walk", "human/body_heavy"},
-                 {"human/body_female", "human/body_female_armsup", "human/body_male"}, {"human/body_female", "human/body_female_armsup", "human/body_heavy"}};
-    for (const auto& [rest, pose_of, onto] : cases) {
+    for (const auto& [rest, pose_of, onto] : figures::poses_of_people()) {
         const TriangleMesh source = figures::shared(rest), pose = figures::shared(pose_of), target = figures::shared(onto);
         if (source.vertex_count() == 0 || pose.vertex_count() == 0 || target.vertex_count() == 0) return;
         const Pair there{shapes::working(source), shapes::working(target), source, target}, back{there.target, there.source, target, source}, same{there.source, there.source, source, source};

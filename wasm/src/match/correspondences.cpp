@@ -23,7 +23,7 @@ Eigen::VectorXd area_shares(const TriangleMesh& mesh) {
 
 } // namespace
 
-Correspondences::Correspondences(const FitSurface& surface, const SurfaceSamples& samples, bool facing)
+Correspondences::Correspondences(const FitSurface& surface, const SurfacePlaces& samples, bool facing)
     : surface_(surface), places_(samples.on(surface.mesh())), facing_(samples.size(), 3), has_facing_(facing) {
     Eigen::Index kept = 0;
     for (int i = 0; i < samples.size(); ++i) {

@@ -18,7 +18,7 @@ struct OneWay {
 };
 
 OneWay one_way(const TriangleMesh& from, const TriangleMesh& to, int count) {
-    const SurfaceSamples samples = sample_surface(from, count);
+    const SurfacePlaces samples = sample_surface(from, count);
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     if (samples.size() == 0 || to.triangle_count() == 0) return {none, none};
     const Points places = samples.on(from);

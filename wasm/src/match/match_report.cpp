@@ -73,7 +73,7 @@ SkinReport skin_report(const TriangleMesh& skin, const PlacedModel& model, const
     found.flipped = count_flipped(parts ? without_triangles(skin, out_here) : skin, model.surface);
 
     // Back: what of the model the skin leaves out is missed by the vertex nearest to it.
-    const SurfaceSamples samples = sample_surface(model.mesh(), k_residual_samples);
+    const SurfacePlaces samples = sample_surface(model.mesh(), k_residual_samples);
     const Points places = samples.on(model.mesh());
     const TriangleTree tree(skin);
     int hint = -1;

@@ -370,7 +370,7 @@ struct MatchSession::State {
 
     void fit_finely() {
         if (!fine) fine.emplace(skins.mesh(1));
-        if (!present().correspondences) present().correspondences.emplace(present().surface(), SurfaceSamples{}, present().surface().has_facing());
+        if (!present().correspondences) present().correspondences.emplace(present().surface(), SurfacePlaces{}, present().surface().has_facing());
         const CorrespondenceRules rules{k_fine_cosine, k_fine_reach, 0};
         std::vector<Pull> pulls = present().correspondences->find(skins.mesh(model), rules, told());
         for (Pull pull : curves->pulls(skins.mesh(0), present().curve_places)) {

@@ -4,12 +4,12 @@
 #include "lissom/match/fit_surface.h"
 #include "lissom/match/marker_alignment.h"
 #include "lissom/mesh/errors.h"
+#include "lissom/mesh/surface_places.h"
 
 #include <limits>
 
 namespace lissom {
 
-using Eigen::RowVector3d;
 using Eigen::Vector3d;
 
 namespace {
@@ -34,15 +34,10 @@ Points carried_places(const TriangleMesh& from, const Points& to, const Points& 
     if (to.rows() != from.points.rows()) throw InvalidInput("wrong-size", "The two skins have different numbers of vertices.");
     if (from.triangles.size() > 0 && (from.triangles.minCoeff() < 0 || from.triangles.maxCoeff() >= to.rows()))
         throw InvalidInput("index-out-of-range", "A triangle of the skins names a vertex that is not there.");
-    const FitSurface surface(from, {false, false});
-    Points carried = places;
-    for (Eigen::Index i = 0; i < places.rows(); ++i) {
-        const auto place = surface.nearest(places.row(i), Vector3d::Zero(), -1, k_anywhere);
-        if (place.triangle < 0) continue;
-        const Vector3d weights = corner_weights(from, place.triangle, place.point);
-        carried.row(i).setZero();
-        for (int k = 0; k < 3; ++k) carried.row(i) += weights[k] * to.row(from.triangles(place.triangle, k));
-    }
+    const SurfacePlaces nearest = places_on(from, places);
+    Points carried = nearest.on({to, from.triangles});
+    for (int i = 0; i < nearest.size(); ++i)
+        if (nearest.triangle[i] < 0) carried.row(i) = places.row(i);
     return carried;
 }
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr int k_most_samples = 12000;
 
-SurfaceSamples samples_of(const TriangleMesh& mesh, int vertices) {
-    SurfaceSamples samples = sample_surface(mesh, std::min(k_most_samples, 2 * vertices));
+SurfacePlaces samples_of(const TriangleMesh& mesh, int vertices) {
+    SurfacePlaces samples = sample_surface(mesh, std::min(k_most_samples, 2 * vertices));
     if (samples.size() > 0 || mesh.triangle_count() == 0) return samples;
     // Scattered points are their own samples, evenly chosen.
     const int count = std::min(k_most_samples, mesh.triangle_count());

@@ -17,15 +17,8 @@ double fraction(double x) { return x - std::floor(x); }
 
 } // namespace
 
-Points SurfaceSamples::on(const TriangleMesh& mesh) const {
-    Points places = Points::Zero(size(), 3);
-    for (int i = 0; i < size(); ++i)
-        for (int k = 0; k < 3; ++k) places.row(i) += weights(i, k) * mesh.points.row(mesh.triangles(triangle[i], k));
-    return places;
-}
-
-SurfaceSamples sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed) {
-    SurfaceSamples samples;
+SurfacePlaces sample_surface(const TriangleMesh& mesh, int count, std::uint64_t seed) {
+    SurfacePlaces samples;
     const Eigen::VectorXd areas = triangle_areas(mesh);
     const double whole = areas.sum();
     if (!(whole > 0) || count <= 0) return samples;

@@ -29,7 +29,7 @@ TriangleMesh closed(const TriangleMesh& surface) {
 } // namespace
 
 Body::Body(const TriangleMesh& surface, double size) : mesh_(closed(surface)), tree_(mesh_), winding_(mesh_), normals_(vertex_normals(mesh_)) {
-    const SurfaceSamples samples = sample_surface(mesh_, k_tried);
+    const SurfacePlaces samples = sample_surface(mesh_, k_tried);
     const Points places = samples.on(mesh_);
     int right = 0;
     for (int k = 0; k < samples.size(); ++k) {

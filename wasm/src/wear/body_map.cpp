@@ -45,7 +45,7 @@ BodyMap::BodyMap(const Triangles& triangles, const Points& from, const Points& t
     s.to = {to, triangles};
     s.from = {from, triangles};
     // By places that stand for the same area each, so that it does not depend on the triangles.
-    const SurfaceSamples places = sample_surface(s.to, k_places);
+    const SurfacePlaces places = sample_surface(s.to, k_places);
     if (places.size() == 0 || !(triangle_areas(s.from).sum() > 0)) throw InvalidInput("flat-skin", "A skin has no area. Match the models again.");
     s.similarity = fit_similarity(places.on(s.from), places.on(s.to));
     const Eigen::Affine3d lay = s.similarity.affine();
@@ -66,7 +66,7 @@ bool BodyMap::step() {
         return true;
     }
     if (s.far) return false;
-    const SurfaceSamples places = sample_surface(s.from, k_places);
+    const SurfacePlaces places = sample_surface(s.from, k_places);
     try {
         s.far.emplace(places.on(s.from), places.on(s.to));
     } catch (const SolverFailure&) {

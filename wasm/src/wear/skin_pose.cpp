@@ -5,9 +5,9 @@
 #include "lissom/mesh/polar.h"
 #include "lissom/mesh/similarity.h"
 #include "lissom/mesh/stopwatch.h"
+#include "lissom/mesh/surface_places.h"
 #include "lissom/mesh/surface_samples.h"
 #include "lissom/wear/gradient_fit.h"
-#include "lissom/wear/surface_places.h"
 #include "lissom/wear/surface_turns.h"
 
 #include "skin_checks.h"
@@ -130,7 +130,7 @@ SkinPose::SkinPose(const WorkingMesh& source, const WorkingMesh& target, const T
     s.target = target.source;
     s.from = {from, triangles};
     s.to = {to, triangles};
-    const SurfaceSamples places = sample_surface(s.to, k_places);
+    const SurfacePlaces places = sample_surface(s.to, k_places);
     if (places.size() == 0 || !(triangle_areas(s.from).sum() > 0)) throw InvalidInput("flat-skin", "A skin has no area. Match the models again.");
     const Similarity laid = fit_similarity(places.on(s.from), places.on(s.to));
     s.scale = laid.scale;

@@ -25,7 +25,7 @@ public:
     /// @param surface  kept by reference
     /// @param samples  of it, for the way back
     /// @param facing   false: normals say nothing
-    Correspondences(const FitSurface& surface, const SurfaceSamples& samples, bool facing = true);
+    Correspondences(const FitSurface& surface, const SurfacePlaces& samples, bool facing = true);
 
     /// @param left_out  one flag per vertex of the skin, or none: where nothing is asked forward
     /// @param masked    one flag per vertex of the skin, or none: triangles of only these are pulled at by no sample

@@ -1,9 +1,17 @@
-#include "lissom/wear/surface_places.h"
+#include "lissom/mesh/surface_places.h"
 
 #include "lissom/mesh/corner_weights.h"
 #include "lissom/mesh/triangle_tree.h"
 
 namespace lissom {
+
+Points SurfacePlaces::on(const TriangleMesh& mesh) const {
+    Points places = Points::Zero(size(), 3);
+    for (int i = 0; i < size(); ++i)
+        if (const int t = triangle[i]; t >= 0)
+            for (int k = 0; k < 3; ++k) places.row(i) += weights(i, k) * mesh.points.row(mesh.triangles(t, k));
+    return places;
+}
 
 SurfacePlaces places_on(const TriangleMesh& surface, const Points& points) {
     const TriangleTree tree(surface);

@@ -1,4 +1,4 @@
-#include "lissom/wear/surface_places.h"
+#include "lissom/mesh/surface_places.h"
 
 #include "shapes.h"
 
@@ -8,12 +8,12 @@
 
 TEST_CASE("points of a surface are found where they are, others at what is nearest") {
     const lissom::TriangleMesh ball = shapes::bumpy_sphere(3);
-    const lissom::SurfaceSamples samples = lissom::sample_surface(ball, 300);
+    const lissom::SurfacePlaces samples = lissom::sample_surface(ball, 300);
     const lissom::Points on = samples.on(ball);
     const lissom::SurfacePlaces places = lissom::places_on(ball, on);
-    CHECK((lissom::SurfaceSamples{places.triangle, places.weights}.on(ball) - on).cwiseAbs().maxCoeff() < 1e-9);
+    CHECK((lissom::SurfacePlaces{places.triangle, places.weights}.on(ball) - on).cwiseAbs().maxCoeff() < 1e-9);
     const lissom::SurfacePlaces above = lissom::places_on(shapes::sheet(4, 4), lissom::Points(Eigen::RowVector3d(0.3, 0.2, 5)));
-    CHECK((lissom::SurfaceSamples{above.triangle, above.weights}.on(shapes::sheet(4, 4)) - Eigen::RowVector3d(0.3, 0.2, 0)).norm() < 1e-9);
+    CHECK((lissom::SurfacePlaces{above.triangle, above.weights}.on(shapes::sheet(4, 4)) - Eigen::RowVector3d(0.3, 0.2, 0)).norm() < 1e-9);
     CHECK(above.weights.minCoeff() >= 0);
 }
 
