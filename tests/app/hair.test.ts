@@ -9,6 +9,7 @@ import type { Model } from '../../web/core/model';
 import type { HairStep } from '../../web/recipe/recipe';
 import { newHairStep } from '../../web/recipe/steps/hair';
 import { PREVIEW_STRANDS } from '../../web/run/steps/hair';
+import { serve } from './served';
 import { file, Tab } from './world';
 
 /** A cube with hair on the top, twice as high for the second head. */
@@ -38,12 +39,7 @@ const GALLERY: Readonly<Record<string, string>> = {
   'head-male.ply': head(2),
 };
 
-beforeEach(() => {
-  vi.stubGlobal('fetch', async (address: string) => {
-    const held = GALLERY[address.split('/').at(-1)!];
-    return new Response(held ?? '', { status: held === undefined ? 404 : 200 });
-  });
-});
+beforeEach(() => serve(GALLERY));
 afterEach(() => vi.unstubAllGlobals());
 
 const stroke: HairStep['streams'][number] = {

@@ -2,26 +2,14 @@
 
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { pointOf, type Spot } from '../../web/tools/match/places';
+import { listed, serve } from './served';
 import { CUBE_OBJ, Tab } from './world';
 
-const MODELS = ['cow', 'dog', 'cat'].map((name) => ({
-  name,
-  file: 'cube.obj',
-  title: name,
-  licence: '',
-  vertices: 8,
-}));
+const MODELS = ['cow', 'dog', 'cat'].map((name) => listed(name, 'cube.obj'));
 
-beforeEach(() => {
-  const held: Readonly<Record<string, string>> = {
-    'index.json': JSON.stringify({ models: MODELS, examples: [] }),
-    'cube.obj': CUBE_OBJ,
-  };
-  vi.stubGlobal('fetch', async (address: string) => {
-    const body = held[address.split('/').at(-1)!];
-    return new Response(body ?? '', { status: body === undefined ? 404 : 200 });
-  });
-});
+beforeEach(() =>
+  serve({ 'index.json': JSON.stringify({ models: MODELS, examples: [] }), 'cube.obj': CUBE_OBJ }),
+);
 afterEach(() => vi.unstubAllGlobals());
 
 const enter = (tab: Tab) => tab.app.commands.run('workspace.match');

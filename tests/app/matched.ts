@@ -1,7 +1,7 @@
 // Three cubes of one connectivity, each larger than the one before, and a document that has them matched.
 
-import { vi } from 'vitest';
 import type { Recipe, Step } from '../../web/recipe/recipe';
+import { listed, serve } from './served';
 import { CUBE_OBJ, Tab } from './world';
 
 export const CUBES = ['ann', 'bob', 'cid'] as const;
@@ -15,13 +15,10 @@ export function stubGallery(): void {
   const files: Record<string, string> = {};
   const models = [...CUBES, 'coat'].map((name, k) => {
     files[`${name}.obj`] = sized(name === 'coat' ? 1.1 : k + 1);
-    return { name, file: `${name}.obj`, title: name, licence: '', vertices: 8 };
+    return listed(name, `${name}.obj`);
   });
   files['index.json'] = JSON.stringify({ models, examples: [] });
-  vi.stubGlobal('fetch', async (address: string) => {
-    const body = files[address.split('/').at(-1)!];
-    return new Response(body ?? '', { status: body === undefined ? 404 : 200 });
-  });
+  serve(files);
 }
 
 /** @param more  steps after the match */

@@ -10,6 +10,7 @@ import type { Loop } from '../../web/tools/merge/loops';
 import { MeshGraph } from '../../web/tools/mesh-graph';
 import { bowl, dome, tube } from '../kernel/tubes';
 import { sheet } from '../tools/merge/shapes';
+import { serve } from './served';
 import { file, Tab } from './world';
 
 let kernel: KernelPort;
@@ -21,16 +22,12 @@ const LID = writeModel({ name: 'lid', ...tube(12, 20, dome) }, 'obj');
 const BOWL = writeModel({ name: 'bowl', ...tube(12, 31, bowl, false) }, 'obj');
 const entry = { name: 'lid', file: 'lid.obj', title: 'Lid', licence: '', vertices: 241 };
 
-beforeEach(() => {
-  const held: Readonly<Record<string, BodyInit>> = {
+beforeEach(() =>
+  serve({
     'index.json': JSON.stringify({ models: [entry], examples: [] }),
     'lid.obj': LID as Uint8Array<ArrayBuffer>,
-  };
-  vi.stubGlobal('fetch', async (address: string) => {
-    const body = held[address.split('/').at(-1)!];
-    return new Response(body ?? '', { status: body === undefined ? 404 : 200 });
-  });
-});
+  }),
+);
 afterEach(() => vi.unstubAllGlobals());
 
 /** A tab with a bowl of one's own open, working on the real kernel. */

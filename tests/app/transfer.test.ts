@@ -3,26 +3,14 @@
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
 import { parseRecipe } from '../../web/recipe/parse';
 import { pointAt } from '../../web/tools/geometry';
+import { listed, serve } from './served';
 import { CUBE_OBJ, file, Tab } from './world';
 
-const MODELS = ['cow', 'dog'].map((name) => ({
-  name,
-  file: 'cube.obj',
-  title: name,
-  licence: '',
-  vertices: 8,
-}));
+const MODELS = ['cow', 'dog'].map((name) => listed(name, 'cube.obj'));
 
-beforeEach(() => {
-  const held: Readonly<Record<string, string>> = {
-    'index.json': JSON.stringify({ models: MODELS, examples: [] }),
-    'cube.obj': CUBE_OBJ,
-  };
-  vi.stubGlobal('fetch', async (address: string) => {
-    const body = held[address.split('/').at(-1)!];
-    return new Response(body ?? '', { status: body === undefined ? 404 : 200 });
-  });
-});
+beforeEach(() =>
+  serve({ 'index.json': JSON.stringify({ models: MODELS, examples: [] }), 'cube.obj': CUBE_OBJ }),
+);
 afterEach(() => vi.unstubAllGlobals());
 
 /** A tab in which a cube has a pose: its foot stays, its tip has moved by 2 along x. */

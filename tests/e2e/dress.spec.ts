@@ -1,6 +1,6 @@
-import { readFileSync } from 'node:fs';
 import type { DressWing } from '../../web/app/dress/wing';
 import type { DressStep } from '../../web/recipe/recipe';
+import { serious } from './axe';
 import { bytesOf, type Desk, expect, gap, test } from './desk';
 import { FIGURE_FILES, MATCHED, SLEEVE } from './figures';
 
@@ -146,15 +146,5 @@ test('without a match the workspace says what is missing, and leads there', asyn
 
 test('axe finds nothing serious', async ({ fresh: desk }) => {
   await dress(desk);
-  await desk.page.evaluate(readFileSync('node_modules/axe-core/axe.min.js', 'utf8'));
-  const found = await desk.page.evaluate(async () => {
-    const { axe } = window as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; impact: string; nodes: { html: string }[] }[] }> };
-    };
-    const { violations } = await axe.run();
-    return violations
-      .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-      .map(({ id, nodes }) => `${id}: ${nodes[0]?.html}`);
-  });
-  expect(found).toEqual([]);
+  expect(await serious(desk)).toEqual([]);
 });

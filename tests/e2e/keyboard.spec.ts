@@ -1,4 +1,4 @@
-import { readFileSync } from 'node:fs';
+import { serious } from './axe';
 import { type Desk, expect, handleGap, moved, test } from './desk';
 
 test('everything up to an exported bend can be done without a pointer', async ({ desk }) => {
@@ -47,7 +47,6 @@ test('the palette finds commands by a few letters and runs them; Escape gives th
 test('a scan for accessibility finds nothing serious on the page or in any dialog', async ({ desk }) => {
   test.slow();
   const { page } = desk;
-  await page.evaluate(readFileSync('node_modules/axe-core/axe.min.js', 'utf8'));
   await page.getByRole('button', { name: /^Tip/ }).click();
   await desk.press('t');
   expect(await serious(desk), 'page').toEqual([]);
@@ -84,22 +83,6 @@ test('a scan for accessibility finds nothing serious on the page or in any dialo
     await page.keyboard.press('Escape');
   }
 });
-
-interface Axe {
-  run(): Promise<{
-    violations: { id: string; impact: string; nodes: { html: string; failureSummary: string }[] }[];
-  }>;
-}
-
-/** What axe finds that is serious or critical. */
-async function serious({ page }: Desk): Promise<string[]> {
-  const { violations } = await page.evaluate(() => (window as unknown as { axe: Axe }).axe.run());
-  return violations
-    .filter(({ impact }) => impact === 'serious' || impact === 'critical')
-    .flatMap(({ id, nodes }) =>
-      nodes.map(({ html, failureSummary }) => `${id}: ${html.slice(0, 120)} ${failureSummary}`),
-    );
-}
 
 /** Presses Tab until what is focused has this name. */
 async function tabTo({ page }: Desk, name: string | RegExp): Promise<void> {

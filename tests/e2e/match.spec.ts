@@ -1,10 +1,10 @@
-import { readFileSync } from 'node:fs';
 import type { Mesh } from 'three';
 import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import type { MatchWing } from '../../web/app/match/wing';
 import { readModel } from '../../web/io/formats';
 import { readZip } from '../../web/io/zip';
 import type { Vec3 } from '../../web/view/types';
+import { serious } from './axe';
 import { bytesOf, type Desk, expect, test } from './desk';
 import { chooseFruit, fileOf, matched, shownModels, spotOn, suggested } from './match-desk';
 
@@ -249,15 +249,8 @@ test('lines, masks and mirror markers; three models, another first one, one less
   });
 
   await test.step('nothing in the workspace keeps anybody out', async () => {
-    await page.evaluate(readFileSync('node_modules/axe-core/axe.min.js', 'utf8'));
     for (const theme of ['dark', 'light']) {
-      const { violations } = await page.evaluate(() =>
-        (
-          window as unknown as { axe: { run(): Promise<{ violations: { id: string; impact: string }[] }> } }
-        ).axe.run(),
-      );
-      const grave = violations.filter(({ impact }) => impact === 'serious' || impact === 'critical');
-      expect(grave.map(({ id }) => `${theme}: ${id}`)).toEqual([]);
+      expect(await serious(desk), theme).toEqual([]);
       await desk.command('theme');
     }
   });

@@ -60,7 +60,7 @@ export async function spotOnSource(page: Page, handle: number): Promise<Place> {
     const { app } = window.__lissom;
     const { handles, posed } = (app.wings.get('transfer') as TransferWing).state.source.peek()!;
     const { viewport } = app.panes.all.peek()[0]!;
-    const box = document.querySelector('.pane.posed')!.getBoundingClientRect();
+    const box = document.querySelector('.pane.beside')!.getBoundingClientRect();
     const set = handles[index]!.vertices;
     const within = (v: number) =>
       set === 'all' ||

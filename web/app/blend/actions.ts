@@ -1,12 +1,12 @@
 // What panels, commands and tools ask of the open blend step; each edit is one step of undo, except previews.
 
-import { boxOf, sizeOf } from '../../core/box';
+import { diagonalOf } from '../../core/diagonal';
 import { LissomError } from '../../core/errors';
 import { fromIndices } from '../../core/vertex-set';
 import * as edit from '../../recipe/edit';
 import type { MatchStep } from '../../recipe/recipe';
 import { type BlendPart, type BlendStep, newBlendStep } from '../../recipe/steps/blend';
-import { partVertices, withoutPart, withPart, withVertices } from '../../tools/blend/edits';
+import { addedPart, partVertices, withoutPart, withPart, withVertices } from '../../tools/blend/edits';
 import { usualFeather } from '../../tools/blend/feather';
 import * as weights from '../../tools/blend/weights';
 import type { PaintVerb } from '../../tools/paint-tool';
@@ -177,8 +177,7 @@ export class BlendActions {
         vertices: fromIndices(vertices, count),
         how: 'paste',
       };
-      const next = { ...step, parts: [...step.parts, part] };
-      this.edits.commit(t('history.blend.add-part'), next, step.parts.length);
+      this.edits.commit(t('history.blend.add-part'), addedPart(step, part), step.parts.length);
       return;
     }
     const next = withVertices(step, index, vertices, count);
@@ -230,7 +229,8 @@ export class BlendActions {
 
   /** How far a part may go over, in units of the model. Reads signals. */
   size(): number {
-    return diagonalOf(this.own.skins.value?.skin.model.positions);
+    const positions = this.own.skins.value?.skin.model.positions;
+    return positions?.length ? diagonalOf(positions) : 0;
   }
 
   #put(step: BlendStep, next: weights.Weights, live: boolean): void {
@@ -246,7 +246,3 @@ export class BlendActions {
     return (this.own.skins.peek()?.skin.model.positions.length ?? 0) / 3;
   }
 }
-
-/** Of the box around some places. */
-const diagonalOf = (positions: Float64Array | undefined): number =>
-  positions?.length ? Math.hypot(...sizeOf(boxOf(positions))) : 0;

@@ -5,8 +5,8 @@ import type { BlendStep } from '../../recipe/recipe';
 import type { ReportOf } from '../../run/results';
 import { wanting } from '../../tools/blend/edits';
 import type { Evaluation } from '../evaluated';
-import { tCode } from '../i18n';
 import { NewestWork } from '../newest-work';
+import { problemText } from '../problem-text';
 import type { WingParts } from '../wing-parts';
 import type { BlendFigures, BlendState } from './state';
 
@@ -26,9 +26,7 @@ export class Follow {
     const { own } = this;
     this.#work.end();
     own.figures.value = shown && figuresOf(shown);
-    own.problem.value = shown?.problem
-      ? tCode('blend.problem.', shown.problem.code, 'error.unknown', { detail: shown.problem.message })
-      : null;
+    own.problem.value = problemText(shown, 'blend.problem.');
     if (!shown) own.skins.value = null;
     // A drag brings nothing new.
     if (!shown || shown.moved || shown.step.type !== 'blend' || !shown.report) return;

@@ -2,7 +2,7 @@
 
 import { effect } from '@preact/signals';
 import type { BlendMeasure } from '../../recipe/steps/blend';
-import { GirthTool, PART, PickPart, paintPart } from '../../tools/blend/part-tool';
+import { girthTool, PART, paintPart, pickPart } from '../../tools/blend/part-tool';
 import { sectionLoop } from '../../tools/blend/section';
 import { LOOPS } from '../../view/overlays/loops';
 import type { LoopLine } from '../../view/overlays/types';
@@ -42,9 +42,9 @@ export function mountBlend(
   ];
   return {
     tools: {
-      'pick-part': new PickPart(host),
+      'pick-part': pickPart(host),
       'paint-part': paintPart(host),
-      'measure-girth': new GirthTool(host),
+      'measure-girth': girthTool(host),
     },
     unmount: () => {
       for (const stop of stops) stop();

@@ -4,8 +4,8 @@ import { isCancelled } from '../../core/errors';
 import type { DressStep, Recipe } from '../../recipe/recipe';
 import type { ReportOf } from '../../run/results';
 import type { Evaluation } from '../evaluated';
-import { tCode } from '../i18n';
 import { NewestWork } from '../newest-work';
+import { problemText } from '../problem-text';
 import type { WingParts } from '../wing-parts';
 import type { DressFigures, DressState, Worn } from './state';
 
@@ -23,9 +23,7 @@ export class Follow {
     const { own } = this;
     this.#work.end();
     own.figures.value = shown && figuresOf(shown);
-    own.problem.value = shown?.problem
-      ? tCode('dress.problem.', shown.problem.code, 'error.unknown', { detail: shown.problem.message })
-      : null;
+    own.problem.value = problemText(shown, 'dress.problem.');
     if (!shown) own.others.value = [];
     if (shown?.step.type !== 'dress' || !shown.settled) return;
     const { recipe, step } = shown;

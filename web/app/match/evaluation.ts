@@ -7,7 +7,7 @@ import { isWhole } from '../../recipe/steps/match';
 import type { StepReport } from '../../run/results';
 import type { ModelResult } from '../../run/types';
 import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
-import { tCode } from '../i18n';
+import { problemText } from '../problem-text';
 import { atRest, sameBefore } from '../strategy';
 import { type Matching, matchingOf } from './result';
 import { growingSkins, type MatchState } from './state';
@@ -72,10 +72,7 @@ async function matched(
 
 /** Lets the workspace follow a result. */
 export function publishMatch(own: MatchState, evaluation: Evaluation | null): void {
-  const problem = evaluation?.problem;
-  own.problem.value = problem
-    ? tCode('match.problem.', problem.code, 'error.unknown', { detail: problem.message })
-    : null;
+  own.problem.value = problemText(evaluation, 'match.problem.');
   const matching = evaluation?.report && matchings.get(evaluation.report);
   if (matching) own.result.value = matching;
   else if (!evaluation || !isOf(own.result.peek(), evaluation)) own.result.value = null;

@@ -1,5 +1,6 @@
 // What is marked on the models: numbered markers, lines, and what is ignored. Each edit is one step of undo.
 
+import { diagonalOf } from '../../core/diagonal';
 import { fromIndices } from '../../core/vertex-set';
 import type { MatchStep } from '../../recipe/recipe';
 import { isDrawn, isWhole, MAX_MARKER_CURVES, MAX_MARKERS, type MarkerPlace } from '../../recipe/steps/match';
@@ -12,7 +13,6 @@ import type { Vec3 } from '../../view/types';
 import { t } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import type { MatchEdits } from './edits';
-import { diagonalOf } from './size';
 import { curveItem, type MatchState } from './state';
 
 /** Shares of a model's size: what lies nearer to the plane of symmetry is its own mirror image; images may be so far off. */

@@ -2,6 +2,7 @@
 // and masks, and the tools on all of them. Numbers lie over the panes, on the page.
 
 import { effect, untracked } from '@preact/signals';
+import { diagonalOf } from '../../core/diagonal';
 import { add, cross, pointAt, scaled, subtract, unit } from '../../tools/geometry';
 import { CurveTool } from '../../tools/match/curve-tool';
 import { MarkerTool } from '../../tools/match/marker-tool';
@@ -21,7 +22,6 @@ import type { WingParts } from '../wing-parts';
 import type { MatchActions } from './actions';
 import { AppMatchHost } from './host';
 import { heatTop } from './result';
-import { diagonalOf } from './size';
 import type { MatchState } from './state';
 
 type Parts = Pick<WingParts, 'state' | 'document' | 'settings' | 'panes' | 'runner' | 'messages'>;

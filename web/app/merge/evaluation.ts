@@ -5,7 +5,7 @@ import { replaceStep } from '../../recipe/edit';
 import type { MergeStep } from '../../recipe/recipe';
 import type { ReportOf } from '../../run/results';
 import type { Evaluating, Evaluation, Outcome, Request, Strategy } from '../evaluated';
-import { tCode } from '../i18n';
+import { problemText } from '../problem-text';
 import { atRest, computed, sameBefore } from '../strategy';
 import type { MergeFigures, MergeState } from './state';
 import { isReady, sameCut } from './steps';
@@ -58,10 +58,7 @@ const withoutRounds = (step: MergeStep): MergeStep =>
 /** Lets the workspace follow a result. */
 export function publishMerge(own: MergeState, evaluation: Evaluation | null): void {
   own.figures.value = evaluation && mergeFigures(evaluation);
-  const problem = evaluation?.problem;
-  own.problem.value = problem
-    ? tCode('merge.problem.', problem.code, 'error.unknown', { detail: problem.message })
-    : null;
+  own.problem.value = problemText(evaluation, 'merge.problem.');
 }
 
 function mergeFigures(evaluation: Evaluation): MergeFigures | null {

@@ -3,8 +3,8 @@
 import type { Recipe, TransferStep } from '../../recipe/recipe';
 import { mainOf, type ReportOf } from '../../run/results';
 import type { Evaluation } from '../evaluated';
-import { tCode } from '../i18n';
 import { NewestWork } from '../newest-work';
+import { problemText } from '../problem-text';
 import type { WingParts } from '../wing-parts';
 import { poseOf } from './poses';
 import type { SourcePose, TransferFigures, TransferState } from './state';
@@ -26,9 +26,7 @@ export class Follow {
     this.#work.end();
     own.positions.value = shown?.positions ?? null;
     own.figures.value = shown && figuresOf(shown);
-    own.problem.value = shown?.problem
-      ? tCode('transfer.problem.', shown.problem.code, 'error.unknown', { detail: shown.problem.message })
-      : null;
+    own.problem.value = problemText(shown, 'transfer.problem.');
     if (!shown || !own.figures.value) own.whatItDid.value = null;
     if (!shown) return;
     this.#work.start((signal) => this.#follow(shown, signal));

@@ -6,9 +6,9 @@ import { holds } from '../../core/vertex-set';
 import type { DeformHandle } from '../../recipe/recipe';
 import type { ModelResult } from '../../run/types';
 import { pointAt } from '../../tools/geometry';
+import { PickTool } from '../../tools/pick-tool';
 import { counterpartAt } from '../../tools/transfer/edits';
 import { PairTool } from '../../tools/transfer/pair-tool';
-import { PickTool } from '../../tools/transfer/pick-tool';
 import { MARKERS } from '../../view/overlays/markers';
 import type { MarkersPort, PointMarker } from '../../view/overlays/types';
 import type { RegionPaint, ViewportPort } from '../../view/types';
@@ -37,7 +37,7 @@ export function mountTransfer(
   const [pane] = parts.panes.take(1) ?? [];
   const source = pane && mountSource(pane.viewport, parts, own, actions);
   const pick = new PickTool({
-    handleAt: ({ x, y, hit }) => {
+    at: ({ x, y, hit }) => {
       const scene = host.scene();
       if (!scene) return null;
       const marker = markers.port.pickMarker(x, y);
@@ -154,7 +154,7 @@ function mountSource(
 ): Source {
   const markers = viewport.mount(MARKERS);
   const pick = new PickTool({
-    handleAt: ({ x, y, hit }) => {
+    at: ({ x, y, hit }) => {
       const handles = own.source.peek()?.handles ?? [];
       const marker = markers.port.pickMarker(x, y);
       if (marker !== null) return Number(marker);

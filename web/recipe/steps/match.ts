@@ -89,10 +89,9 @@ export const matchStep = v.strictObject({
 export type MatchStep = v.InferOutput<typeof matchStep>;
 export type MarkerPlace = v.InferOutput<typeof place>;
 
-/** A marker that is set on every model. */
-export type WholeMarker = readonly MarkerPlace[];
 type Marker = MatchStep['markers'][number];
 
+/** Whether a marker is set on every model. */
 export const isWhole = (marker: Marker): marker is MarkerPlace[] => marker.every((place) => place !== null);
 
 /** A curve needs two places on every model. */

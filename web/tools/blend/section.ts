@@ -1,5 +1,7 @@
 // Where a plane cuts a surface around one of its vertices: the loop that a tape would lie along. Pure.
 
+import { cross, dot, unit } from '../geometry';
+
 export type Direction = readonly [number, number, number];
 
 /**
@@ -98,12 +100,11 @@ export function hullLength(loop: Float64Array, normal: Direction): number {
 
 /** By Andrew's monotone chain, in a plane's own coordinates. */
 function hullOf(loop: Float64Array, normal: Direction): (readonly [number, number])[] {
-  const size = Math.hypot(...normal);
-  const n = normal.map((x) => x / size) as [number, number, number];
+  const n = unit(normal);
   const least = n.reduce((best, x, k) => (Math.abs(x) < Math.abs(n[best]!) ? k : best), 0);
   const axis = [0, 1, 2].map((k) => (k === least ? 1 : 0)) as [number, number, number];
-  const u = unit(crossOf(n, axis));
-  const v = crossOf(n, u);
+  const u = unit(cross(n, axis));
+  const v = cross(n, u);
   const flat = Array.from({ length: loop.length / 3 }, (_, i): readonly [number, number] => {
     const p: Direction = [loop[3 * i]!, loop[3 * i + 1]!, loop[3 * i + 2]!];
     return [dot(p, u), dot(p, v)];
@@ -120,14 +121,3 @@ function hullOf(loop: Float64Array, normal: Direction): (readonly [number, numbe
   };
   return [...chain(flat), ...chain([...flat].reverse())];
 }
-
-const dot = (a: Direction, b: Direction): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const crossOf = (a: Direction, b: Direction): Direction => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-const unit = (a: Direction): Direction => {
-  const size = Math.hypot(...a);
-  return [a[0] / size, a[1] / size, a[2] / size];
-};

@@ -1,6 +1,6 @@
 // Pure edits of what a match step says of its models. Whatever has an entry for each model has it in their order.
 
-import { isDrawn, isWhole, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
+import { isDrawn, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
 
 export type Marker = MatchStep['markers'][number];
 export type CurveRows = NonNullable<MatchStep['curves']>[number];
@@ -80,12 +80,6 @@ export function withModels(
 /** Numbers of the models on which a marker has no place yet. */
 export const missing = (marker: Marker): number[] =>
   marker.flatMap((place, at) => (place === null ? [at] : []));
-
-/** Markers and curves that are there on every model. */
-export const wholeCount = ({ markers, curves = [] }: MatchStep) => ({
-  markers: markers.filter(isWhole).length,
-  curves: curves.filter(isDrawn).length,
-});
 
 /** The marker that a press on a model is for: the selected one where it lacks that model, else a new one. */
 export function markerFor({ markers }: MatchStep, selected: number | null, model: number): number {

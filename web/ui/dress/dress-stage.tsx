@@ -13,7 +13,7 @@ export function DressStage() {
   const choosing = state.choosing.value !== null;
   return (
     <>
-      <Pane index={0} class="made-for">
+      <Pane index={0} class="beside">
         {source && (
           <p class="pane-label">
             <span class="muted">{t('ui.dress.from')}</span>{' '}
@@ -21,7 +21,7 @@ export function DressStage() {
           </p>
         )}
       </Pane>
-      <div class="pane worn-by">
+      <div class="pane over-main">
         {choosing ? (
           <ModelChooser
             title={t('ui.dress.choose')}
@@ -48,7 +48,7 @@ function Labels() {
     ...state.warnings.value.map(({ code, count }) => tCode('finding.', code, 'finding.unknown', { count })),
   ];
   return (
-    <div class="worn-labels">
+    <div class="main-labels">
       {name !== undefined && (
         <p class="pane-label">
           <span class="muted">{t('ui.dress.to')}</span> {name}

@@ -8,7 +8,7 @@ import { DressStage } from './dress-stage';
 export const face: Face = {
   Panels: DressPanels,
   Stage: DressStage,
-  stageClass: 'dressing',
+  stageClass: 'side-by-side dressing',
   Legend: ClearanceLegend,
   Figures: DressFigures,
   extras: () => [],

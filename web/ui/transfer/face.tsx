@@ -8,7 +8,7 @@ import { TransferStage } from './transfer-stage';
 export const face: Face = {
   Panels: TransferPanels,
   Stage: TransferStage,
-  stageClass: 'transferring',
+  stageClass: 'side-by-side',
   Figures: TransferFigures,
   extras: (tool) => ['transfer.next', ...(tool === 'paint-pair' ? ['transfer.clear', ...BRUSH] : [])],
   viewCommands: ['transfer.rest'],

@@ -15,7 +15,7 @@ export function TransferStage() {
   const choosing = state.choosing.value !== null;
   return (
     <>
-      <Pane index={0} class="posed">
+      <Pane index={0} class="beside">
         {source && !choosing && (
           <NumberOverlay
             view={panes.all.value[0]?.viewport}
@@ -31,7 +31,7 @@ export function TransferStage() {
           </p>
         )}
       </Pane>
-      <div class="pane unposed">{choosing ? <TargetChooser /> : <Target />}</div>
+      <div class="pane over-main">{choosing ? <TargetChooser /> : <Target />}</div>
     </>
   );
 }
@@ -72,7 +72,7 @@ function TargetLabels() {
   const problem = own.problem.value;
   return (
     <>
-      <div class="target-labels">
+      <div class="main-labels">
         {name !== undefined && (
           <p class="pane-label">
             <span class="muted">{t('ui.transfer.target')}</span> {name}

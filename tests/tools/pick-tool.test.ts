@@ -1,6 +1,6 @@
 import { beforeEach, expect, test } from 'vitest';
-import { PickTool } from '../../../web/tools/transfer/pick-tool';
-import { Table } from '../table';
+import { PickTool } from '../../web/tools/pick-tool';
+import { Table } from './table';
 
 const table = new Table();
 let picked: number[];
@@ -8,7 +8,7 @@ let tool: PickTool;
 beforeEach(() => {
   picked = [];
   tool = new PickTool({
-    handleAt: ({ x, y }) => (x > 10 && y > 10 ? 4 : null),
+    at: ({ x, y }) => (x > 10 && y > 10 ? 4 : null),
     pick: (handle) => void picked.push(handle),
   });
 });

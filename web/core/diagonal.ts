@@ -1,4 +1,4 @@
-import { boxOf, sizeOf } from '../../core/box';
+import { boxOf, sizeOf } from './box';
 
 const known = new WeakMap<Float64Array, number>();
 
