@@ -2,13 +2,10 @@
 
 import { expect, test } from 'vitest';
 import { writeModel } from '../../web/io/formats';
-import { pear, plum } from '../kernel/balls';
+import { FRUIT, marks, match } from '../run/fruit';
 import { Shell } from './shell';
 
-const SHAPES = { pear: pear(), plum: plum() };
-const MARKERS = SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]);
-
-async function match(
+async function matched(
   fields: object = {},
   outputs: object[] = [
     { step: 'm/pear', file: 'pear.ply' },
@@ -16,14 +13,12 @@ async function match(
   ],
 ) {
   const shell = new Shell();
-  for (const [name, shape] of Object.entries(SHAPES))
-    shell.write(`${name}.ply`, writeModel({ name, ...shape }, 'ply'));
+  for (const name of ['pear', 'plum'] as const)
+    shell.write(`${name}.ply`, writeModel({ name, ...FRUIT[name] }, 'ply'));
   const recipe = shell.write('r.json', {
     lissom: 1,
     models: { pear: { file: 'pear.ply' }, plum: { file: 'plum.ply' } },
-    steps: [
-      { id: 'm', type: 'match', models: ['pear', 'plum'], markers: MARKERS, edgeLength: 0.3, ...fields },
-    ],
+    steps: [match(fields)],
     outputs,
   });
   const out = ['--out', shell.path('out'), '--report', shell.path('report.json')];
@@ -31,7 +26,7 @@ async function match(
 }
 
 test('skins of one connectivity are written, and the report says what they are worth', async () => {
-  const { shell, status, stderr } = await match();
+  const { shell, status, stderr } = await matched();
   expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
   const [first, second] = [shell.model('out/pear.ply'), shell.model('out/plum.obj')];
   expect(second.faceVertices).toEqual(first.faceVertices);
@@ -48,7 +43,7 @@ test('skins of one connectivity are written, and the report says what they are w
 });
 
 test('one skin is written with the others as morph targets', async () => {
-  const { shell, status, stderr } = await match({}, [{ step: 'm/plum', file: 'all.gltf', morphs: true }]);
+  const { shell, status, stderr } = await matched({}, [{ step: 'm/plum', file: 'all.gltf', morphs: true }]);
   expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
   const { meshes } = JSON.parse(shell.read('out/all.gltf'));
   expect(meshes[0]).toMatchObject({ name: 'plum', weights: [0], extras: { targetNames: ['pear'] } });
@@ -56,7 +51,7 @@ test('one skin is written with the others as morph targets', async () => {
 });
 
 test('markers that are not set everywhere are left out, and counted', async () => {
-  const { shell, status } = await match({ markers: [...MARKERS, [3, null], [null, 5]] });
+  const { shell, status } = await matched({ markers: [...marks(), [3, null], [null, 5]] });
   expect(status).toBe(0);
   const [step] = JSON.parse(shell.read('report.json')).steps;
   expect(step.warnings).toContainEqual({
@@ -68,14 +63,14 @@ test('markers that are not set everywhere are left out, and counted', async () =
 });
 
 test.each<[string, object, object[]?]>([
-  ['marker-count', { markers: MARKERS.slice(0, 2) }],
-  ['index-out-of-range', { markers: [...MARKERS.slice(0, 5), [99999, 0]] }],
+  ['marker-count', { markers: marks(2) }],
+  ['index-out-of-range', { markers: [...marks(5), [99999, 0]] }],
   ['recipe-invalid', { models: ['pear', 'apple'] }],
   ['recipe-invalid', {}, [{ step: 'm', file: 'both.ply' }]],
   ['recipe-invalid', {}, [{ step: 'm/pear', file: 'all.ply', morphs: true }]],
-  ['marker-count', { markers: [MARKERS[0], [1, null], [2, null]] }],
+  ['marker-count', { markers: [marks()[0], [1, null], [2, null]] }],
 ])('%s', async (code, fields, outputs) => {
-  const { shell, status, stderr } = await match(fields, outputs);
+  const { shell, status, stderr } = await matched(fields, outputs);
   expect(status).toBe(2);
   expect(stderr).toMatch(new RegExp(`^error: ${code}: .+\n$`));
   expect(shell.files('out')).toEqual([]);

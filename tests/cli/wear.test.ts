@@ -2,30 +2,17 @@
 
 import { describe, expect, test } from 'vitest';
 import { writeModel } from '../../web/io/formats';
-import { belt, pear, plum } from '../kernel/balls';
+import { FRUIT, match } from '../run/fruit';
 import { Shell } from './shell';
-
-const SHAPES = {
-  pear: pear(),
-  plum: plum(),
-  belt: belt(1.05),
-};
-const MATCH = {
-  id: 'm',
-  type: 'match',
-  models: ['pear', 'plum'],
-  markers: SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]),
-  edgeLength: 0.3,
-};
 
 async function wear(step: object, command = 'run', before: readonly object[] = []) {
   const shell = new Shell();
-  for (const [name, shape] of Object.entries(SHAPES))
+  for (const [name, shape] of Object.entries(FRUIT))
     shell.write(`${name}.ply`, writeModel({ name, ...shape }, 'ply'));
   const recipe = shell.write('r.json', {
     lissom: 1,
-    models: Object.fromEntries(Object.keys(SHAPES).map((name) => [name, { file: `${name}.ply` }])),
-    steps: [MATCH, ...before, { id: 'x', match: 'm', ...step }],
+    models: Object.fromEntries(Object.keys(FRUIT).map((name) => [name, { file: `${name}.ply` }])),
+    steps: [match(), ...before, { id: 'x', match: 'm', ...step }],
     outputs: [{ step: 'x', file: 'x.ply' }],
   });
   const out = ['--out', shell.path('out'), '--report', shell.path('report.json')];
@@ -51,13 +38,13 @@ test('a blend is written, with its weights and measures in the report', async ()
 test('a garment is written, and nothing of it is inside', async () => {
   const { shell, status, stderr } = await wear({ type: 'dress', garment: 'belt', from: 'pear', to: 'plum' });
   expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
-  expect(shell.model('out/x.ply').faceVertices).toEqual(SHAPES.belt.faceVertices);
+  expect(shell.model('out/x.ply').faceVertices).toEqual(FRUIT.belt.faceVertices);
   const step = JSON.parse(shell.read('report.json')).steps[1];
   expect(step).toMatchObject({
     type: 'dress',
     inside: 0,
     insideBefore: { vertices: expect.any(Number), faceCentres: expect.any(Number) },
-    vertices: SHAPES.belt.positions.length / 3,
+    vertices: FRUIT.belt.positions.length / 3,
   });
 });
 
@@ -68,8 +55,8 @@ const POSE = {
   model: 'pear',
   handles: [-1, 1].map((side) => ({
     kind: 'region',
-    vertices: [...SHAPES.pear.positions.keys()]
-      .filter((at) => at % 3 === 1 && side * SHAPES.pear.positions[at]! > 0.6)
+    vertices: [...FRUIT.pear.positions.keys()]
+      .filter((at) => at % 3 === 1 && side * FRUIT.pear.positions[at]! > 0.6)
       .map((at) => (at - 1) / 3),
     matrix: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, side > 0 ? 0.8 : 0, 0, 0, 1],
   })),
@@ -83,10 +70,10 @@ test('a pose goes through a match, and nothing is paired', async () => {
   );
   expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
   const posed = shell.model('out/x.ply');
-  expect(posed.faceVertices).toEqual(SHAPES.plum.faceVertices);
+  expect(posed.faceVertices).toEqual(FRUIT.plum.faceVertices);
   const rightmost = ({ positions }: { positions: Float64Array }) =>
     positions.reduce((most, x, at) => (at % 3 === 0 ? Math.max(most, x) : most), 0);
-  expect(rightmost(posed)).toBeGreaterThan(rightmost(SHAPES.plum));
+  expect(rightmost(posed)).toBeGreaterThan(rightmost(FRUIT.plum));
   const step = JSON.parse(shell.read('report.json')).steps[2];
   expect(step).toMatchObject({
     type: 'transfer',

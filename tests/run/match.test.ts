@@ -1,32 +1,16 @@
 // The match step on the real kernel: places however they are written, what it leaves, what it refuses.
 
 import { beforeAll, describe, expect, test } from 'vitest';
-import { loadKernel } from '../../web/kernel/node';
-import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
-import { Runner } from '../../web/run/evaluate';
+import type { Runner } from '../../web/run/evaluate';
 import type { StepResult } from '../../web/run/results';
 import { matchQuality } from '../../web/run/steps/match';
-import { fig, pear, plum, pointsOf } from '../kernel/balls';
-
-const SHAPES = { pear: pear(), plum: plum() };
-const marks = (count: number) =>
-  SHAPES.pear.ends.slice(0, count).map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]);
-const match = (more: object = {}) => ({
-  id: 'm',
-  type: 'match',
-  models: ['pear', 'plum'],
-  markers: marks(6),
-  edgeLength: 0.3,
-  ...more,
-});
-const recipeOf = (...steps: unknown[]): Recipe =>
-  parseRecipe({ lissom: 1, models: { pear: { builtin: 'pear' }, plum: { builtin: 'plum' } }, steps });
+import { pointsOf } from '../kernel/balls';
+import { FRUIT, fruitRunner, marks, match, recipeOf } from './fruit';
 
 let runner: Runner;
 beforeAll(async () => {
-  const models = { load: async (name: string) => ({ name, ...SHAPES[name as 'pear' | 'plum'] }) };
-  runner = new Runner({ kernel: await loadKernel(), models });
+  runner = await fruitRunner();
 });
 
 const run = async (recipe: Recipe, id = 'm') => (await runner.run(recipe)).get(id) as StepResult<'match'>;
@@ -49,10 +33,10 @@ test('it leaves a skin for each model, in one connectivity, and says what they a
 });
 
 test('a place is the same as a vertex, on a face, or as a point', async () => {
-  const [face, corner] = faceAt(SHAPES.pear.ends[0]!);
+  const [face, corner] = faceAt(FRUIT.pear.ends[0]!);
   const at = [0, 1, 2].map((each) => (each === corner ? 1 : 0));
-  const point = [...pointsOf(SHAPES.plum, [SHAPES.plum.ends[1]!])];
-  const rewritten = marks(6);
+  const point = [...pointsOf(FRUIT.plum, [FRUIT.plum.ends[1]!])];
+  const rewritten = marks();
   const other = rewritten.map((pair, number) =>
     number === 0 ? [{ face, at }, pair[1]] : number === 1 ? [pair[0], { point }] : pair,
   );
@@ -104,23 +88,13 @@ describe('what is wrong is said with its place', () => {
 
 /** A face at a vertex, and which of its corners that is. */
 function faceAt(vertex: number): readonly [number, number] {
-  const at = SHAPES.pear.faceVertices.indexOf(vertex);
+  const at = FRUIT.pear.faceVertices.indexOf(vertex);
   return [Math.floor(at / 3), at % 3];
 }
 
 test('three models get one connectivity together', async () => {
-  const models = { ...SHAPES, fig: fig() };
-  const three = new Runner({
-    kernel: await loadKernel(),
-    models: { load: async (name: string) => ({ name, ...models[name as keyof typeof models] }) },
-  });
-  const markers = marks(6).map((pair, at) => [...pair, models.fig.ends[at]!]);
-  const recipe = parseRecipe({
-    lissom: 1,
-    models: { pear: { builtin: 'pear' }, plum: { builtin: 'plum' }, fig: { builtin: 'fig' } },
-    steps: [match({ models: ['pear', 'plum', 'fig'], markers })],
-  });
-  const { models: skins, report } = (await three.run(recipe)).get('m') as StepResult<'match'>;
+  const markers = marks().map((pair, at) => [...pair, FRUIT.fig.ends[at]!]);
+  const { models: skins, report } = await run(recipeOf(match({ models: ['pear', 'plum', 'fig'], markers })));
   expect(skins!.fig!.faceVertices).toEqual(skins!.pear!.faceVertices);
   for (const name of ['pear', 'plum', 'fig'] as const)
     expect([report.distance[name]!.mean < 0.004, report.selfIntersections[name]]).toEqual([true, 0]);

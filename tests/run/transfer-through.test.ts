@@ -2,21 +2,9 @@
 
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { Model } from '../../web/core/model';
-import { loadKernel } from '../../web/kernel/node';
-import { parseRecipe } from '../../web/recipe/parse';
-import type { Recipe } from '../../web/recipe/recipe';
-import { Runner } from '../../web/run/evaluate';
+import type { Runner } from '../../web/run/evaluate';
 import type { StepResult } from '../../web/run/results';
-import { fig, pear, plum } from '../kernel/balls';
-
-const SHAPES = { pear: pear(), plum: plum(), fig: fig() };
-const MATCH = {
-  id: 'm',
-  type: 'match',
-  models: ['pear', 'plum'],
-  markers: SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]),
-  edgeLength: 0.3,
-};
+import { FRUIT, fruitRunner, match, recipeOf } from './fruit';
 
 type Shape = Pick<Model, 'positions'>;
 const top = ({ positions }: Shape): number[] => verticesWhere(positions, (y) => y > 0.6);
@@ -31,8 +19,8 @@ const pose = (x: number, more: object = {}) => ({
   type: 'deform',
   model: 'pear',
   handles: [
-    { kind: 'region', vertices: bottom(SHAPES.pear), matrix: moved(0) },
-    { kind: 'region', vertices: top(SHAPES.pear), matrix: moved(x) },
+    { kind: 'region', vertices: bottom(FRUIT.pear), matrix: moved(0) },
+    { kind: 'region', vertices: top(FRUIT.pear), matrix: moved(x) },
   ],
   ...more,
 });
@@ -44,25 +32,13 @@ const give = (more: object = {}) => ({
   through: 'm',
   ...more,
 });
-const recipeOf = (...steps: unknown[]): Recipe =>
-  parseRecipe({
-    lissom: 1,
-    models: Object.fromEntries(Object.keys(SHAPES).map((name) => [name, { builtin: name }])),
-    steps: [MATCH, ...steps],
-  });
-
 let runner: Runner;
 beforeAll(async () => {
-  const loaded = new Map<string, Model>(
-    Object.entries(SHAPES).map(([name, shape]) => [name, { name, ...shape }]),
-  );
-  runner = new Runner({
-    kernel: await loadKernel(),
-    models: { load: async (name: string) => loaded.get(name)! },
-  });
+  runner = await fruitRunner();
 });
 
-const run = async (...steps: object[]) => (await runner.run(recipeOf(...steps))) as Map<string, StepResult>;
+const run = async (...steps: object[]) =>
+  (await runner.run(recipeOf(match(), ...steps))) as Map<string, StepResult>;
 const given = async (...steps: object[]) =>
   (await run(...steps)).get('give') as unknown as StepResult<'transfer'>;
 /** How far the upper end moves along x against the lower one. */
@@ -74,10 +50,10 @@ const lean = (model: Shape, rest: Shape) => {
 
 test('the other model leans as the first does, with its own faces and nothing paired', async () => {
   const { model, report } = await given(pose(0.8), give({ keepStretch: true }));
-  expect(model.faceVertices).toBe(SHAPES.plum.faceVertices);
+  expect(model.faceVertices).toBe(FRUIT.plum.faceVertices);
   expect(model.positions.every(Number.isFinite)).toBe(true);
-  expect(lean(model, SHAPES.plum)).toBeGreaterThan(0.4);
-  expect(lean(model, SHAPES.plum)).toBeLessThan(1);
+  expect(lean(model, FRUIT.plum)).toBeGreaterThan(0.4);
+  expect(lean(model, FRUIT.plum)).toBeLessThan(1);
   expect(report).toMatchObject({ id: 'give', type: 'transfer', iterations: 1, warnings: [] });
   expect(report.unknowns).toBeGreaterThan(100);
   expect(Object.keys(report.seconds)).toEqual(['prepare', 'solve']);
@@ -90,7 +66,7 @@ test('no pose, or no strength, leaves it as it is', async () => {
   ]) {
     const { model } = await given(...steps);
     for (let at = 0; at < model.positions.length; at++)
-      expect(model.positions[at]).toBeCloseTo(SHAPES.plum.positions[at]!, 8);
+      expect(model.positions[at]).toBeCloseTo(FRUIT.plum.positions[at]!, 8);
   }
 });
 
@@ -106,8 +82,8 @@ test('a model that is given its own pose has it', async () => {
 test('strength changes nothing that is prepared; a pose of a skin is given to a skin', async () => {
   const half = await given(pose(0.8), give({ strength: 0.5, keepStretch: true }));
   const whole = await given(pose(0.8), give({ keepStretch: true }));
-  expect(lean(half.model, SHAPES.plum)).toBeGreaterThan(0.3 * lean(whole.model, SHAPES.plum));
-  expect(lean(half.model, SHAPES.plum)).toBeLessThan(0.7 * lean(whole.model, SHAPES.plum));
+  expect(lean(half.model, FRUIT.plum)).toBeGreaterThan(0.3 * lean(whole.model, FRUIT.plum));
+  expect(lean(half.model, FRUIT.plum)).toBeLessThan(0.7 * lean(whole.model, FRUIT.plum));
 
   const skins = (await run()).get('m')!.models!;
   const onSkin = pose(0, {
@@ -128,14 +104,14 @@ test('a pose of curves is one, too', async () => {
   const curve = { id: 'c', kind: 'skeleton', rest, posed, anchor: 'start' };
   const bent = { id: 'pose', type: 'curves', model: 'pear', curves: [curve] };
   const { model } = await given(bent, give({ keepStretch: true }));
-  expect(lean(model, SHAPES.plum)).toBeGreaterThan(0.3);
+  expect(lean(model, FRUIT.plum)).toBeGreaterThan(0.3);
 });
 
 test('another model of the same match is another result', async () => {
   const plum = await given(pose(0.8), give());
   const pear = await given(pose(0.8), give({ model: 'pear' }));
   expect(pear.model.positions).not.toEqual(plum.model.positions);
-  expect(pear.model.positions).toHaveLength(SHAPES.pear.positions.length);
+  expect(pear.model.positions).toHaveLength(FRUIT.pear.positions.length);
 });
 
 describe('refused', () => {

@@ -2,25 +2,11 @@
 
 import { beforeAll, describe, expect, test } from 'vitest';
 import type { Model } from '../../web/core/model';
-import { loadKernel } from '../../web/kernel/node';
-import { parseRecipe } from '../../web/recipe/parse';
 import type { Recipe } from '../../web/recipe/recipe';
-import { Runner } from '../../web/run/evaluate';
+import type { Runner } from '../../web/run/evaluate';
 import type { StepResult } from '../../web/run/results';
-import { belt, pear, plum } from '../kernel/balls';
+import { FRUIT, fruitRunner, match, recipeOf } from './fruit';
 
-const SHAPES = {
-  pear: pear(),
-  plum: plum(),
-  belt: belt(1.05),
-};
-const MATCH = {
-  id: 'm',
-  type: 'match',
-  models: ['pear', 'plum'],
-  markers: SHAPES.pear.ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]),
-  edgeLength: 0.3,
-};
 const blend = (more: object = {}) => ({
   id: 'b',
   type: 'blend',
@@ -37,24 +23,13 @@ const dress = (more: object = {}) => ({
   to: 'plum',
   ...more,
 });
-const recipeOf = (...steps: unknown[]): Recipe =>
-  parseRecipe({
-    lissom: 1,
-    models: Object.fromEntries(Object.keys(SHAPES).map((name) => [name, { builtin: name }])),
-    steps: [MATCH, ...steps],
-  });
-
 let runner: Runner;
 beforeAll(async () => {
-  const loaded = new Map<string, Model>(
-    Object.entries(SHAPES).map(([name, shape]) => [name, { name, ...shape }]),
-  );
-  const models = { load: async (name: string) => loaded.get(name)! };
-  runner = new Runner({ kernel: await loadKernel(), models });
+  runner = await fruitRunner();
 });
 
 const run = async (...steps: object[]) => {
-  const results = await runner.run(recipeOf(...steps));
+  const results = await runner.run(recipeOf(match(), ...steps));
   return {
     blend: results.get('b') as StepResult<'blend'>,
     dress: results.get('d') as StepResult<'dress'>,
@@ -100,7 +75,7 @@ describe('blend', () => {
     expect(tall!.residual).toBeCloseTo(0, 3);
     expect(wide).toEqual({ kind: 'height', reached: extent(made.model, 0) });
     expect(made.report.weights.pear! + made.report.weights.plum!).toBeCloseTo(1, 9);
-    const asked = recipeOf(blend({ measures }));
+    const asked = recipeOf(match(), blend({ measures }));
     const spans = await runner.ask(asked, 'b', 'measures', parseMeasures(asked));
     expect(spans.pear![0]).toBeGreaterThan(spans.plum![0]!);
   });
@@ -142,11 +117,11 @@ describe('blend', () => {
 describe('dress', () => {
   test('the garment keeps its faces, fits the other body and is not inside it', async () => {
     const { dress: worn } = await run(dress());
-    expect(worn.model.faceVertices).toBe(SHAPES.belt.faceVertices);
+    expect(worn.model.faceVertices).toBe(FRUIT.belt.faceVertices);
     expect(worn.report).toMatchObject({
       inside: 0,
       insideCentres: 0,
-      vertices: SHAPES.belt.positions.length / 3,
+      vertices: FRUIT.belt.positions.length / 3,
     });
     expect(extent(worn.model, 0)).toBeGreaterThan(1.3 * 2.1);
     // What is said is what is said of the belt.
@@ -159,7 +134,7 @@ describe('dress', () => {
     expect(extent(wide.model, 0) - extent(plain.model, 0)).toBeCloseTo(0.4, 1);
     const { dress: back } = await run(dress({ from: 'pear', to: 'pear' }));
     for (let at = 0; at < back.model.positions.length; at += 13)
-      expect(back.model.positions[at]).toBeCloseTo(SHAPES.belt.positions[at]!, 2);
+      expect(back.model.positions[at]).toBeCloseTo(FRUIT.belt.positions[at]!, 2);
   });
 
   test.each<[string, object]>([
