@@ -10,6 +10,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 using namespace lissom;
@@ -38,6 +39,10 @@ MatchResult finished(Match match) {
     }
     CHECK(match.fraction() == 1);
     return match.result();
+}
+
+bool has(const MatchReport& report, const std::string& code) {
+    return std::any_of(report.warnings.begin(), report.warnings.end(), [&](const MatchWarning& warning) { return warning.code == code; });
 }
 
 /// Mean distance of a skin's vertices from the images of what they are on the source.
@@ -80,6 +85,105 @@ TEST_CASE("three models matched in pairs: one connectivity, near to each, marker
     CHECK(by_pairs < 2 * at_once + 0.002);
 }
 
+TEST_CASE("two guarded projections undo what composing adds: nearer to the model, no farther from the truth, markers and connectivity as they were") {
+    const Three three;
+    PairwiseMatch match(three.models);
+    bool all_composed = false;
+    while (!all_composed && match.step()) all_composed = match.positions(2).rows() > 0 && match.fraction() > 0.95;
+    REQUIRE(all_composed);
+    const MatchResult before = match.result();
+    CHECK(has(before.report, "stopped-early"));
+    while (match.step()) {
+    }
+    const MatchResult after = match.result();
+    CHECK_FALSE(has(after.report, "stopped-early"));
+    CHECK(after.skins.triangles == before.skins.triangles);
+    CHECK(after.skins.points[0] == before.skins.points[0]);
+    CHECK(after.skins.points[1] == before.skins.points[1]);
+    const SkinReport &composed = before.report.skins[2], &projected = after.report.skins[2];
+    MESSAGE("third skin from its model " << composed.distances.mean_there << ", back " << composed.distances.mean_back << ", projected " << projected.distances.mean_there << ", " << projected.distances.mean_back
+                                         << "; from the truth " << 100 * apart(before, three, 2) << " %, " << 100 * apart(after, three, 2) << " %");
+    // The skin of its own pair is as near as a skin of so few vertices comes: what is above that is what composing added.
+    const double alone = finished(MatchSession({three.models[0], three.models[2]})).report.skins[1].distances.mean_there;
+    MESSAGE("in its own pair " << alone);
+    REQUIRE(composed.distances.mean_there > alone);
+    CHECK(projected.distances.mean_there - alone < 0.25 * (composed.distances.mean_there - alone));
+    CHECK(projected.distances.mean_back < composed.distances.mean_back);
+    CHECK(apart(after, three, 2) <= apart(before, three, 2) + 1e-5);
+    CHECK(projected.crossings <= composed.crossings);
+    CHECK(projected.folds <= composed.folds);
+    for (const int v : after.marker_vertices) CHECK(after.skins.points[2].row(v) == before.skins.points[2].row(v));
+}
+
+TEST_CASE("sharp edges of the source and of the first target are kept, of the others it is told that they are lost; all at once none is") {
+    std::vector<TriangleMesh> meshes(3, shapes::box(8, 8, 8));
+    for (int k = 1; k < 3; ++k)
+        for (auto p : meshes[static_cast<std::size_t>(k)].points.rowwise()) p += 0.15 * k * Eigen::RowVector3d(p.y(), p.z() * p.z(), -p.x());
+    const int marked[] = {0, 8, 40, 60, 100, 150, 200, 250, 300, 350, 380};
+    std::vector<WorkingMesh> working;
+    for (const TriangleMesh& mesh : meshes) working.push_back(shapes::working(mesh));
+    std::vector<MatchModel> models;
+    for (std::size_t k = 0; k < 3; ++k) {
+        Points places(std::ssize(marked), 3);
+        for (Eigen::Index m = 0; m < places.rows(); ++m) places.row(m) = meshes[k].points.row(marked[m]);
+        models.push_back({&working[k], places});
+    }
+    const MatchOptions options{.sharp_angle = 35};
+    const MatchReport paired = finished(PairwiseMatch(models, options)).report, joint = finished(MatchSession(models, options)).report;
+    for (const std::size_t k : {0u, 1u}) {
+        CAPTURE(k);
+        MESSAGE(paired.skins[k].sharp_curves << " curves, " << paired.skins[k].sharp_failed << " failed, off by " << 100 * paired.skins[k].sharp_error << " %");
+        CHECK(paired.skins[k].sharp_curves == 12);
+        CHECK(paired.skins[k].sharp_failed == 0);
+        CHECK(paired.skins[k].sharp_error < 0.0005);
+    }
+    CHECK(paired.skins[2].sharp_curves == 0);
+    REQUIRE(has(paired, "sharp-lost"));
+    for (const MatchWarning& warning : paired.warnings)
+        if (warning.code == "sharp-lost") {
+            CHECK(warning.model == 2);
+            CHECK(warning.count == 12);
+        }
+    CHECK_FALSE(has(joint, "sharp-lost"));
+    CHECK(joint.skins[2].sharp_curves == 12);
+    CHECK(joint.skins[2].sharp_failed == 0);
+}
+
+TEST_CASE("what is ignored stays ignored: the mask of a third model draws nothing, and what comes from the source's is left to its pair") {
+    // A cap over one arm that only the third figure has.
+    Three three;
+    std::vector<int> cap;
+    for (int v = 0; v < three.meshes[2].vertex_count(); ++v)
+        if (three.meshes[0].points.row(v).normalized().dot(Eigen::RowVector3d(-0.3, 0.1, -1).normalized()) > 0.9) cap.push_back(v);
+    REQUIRE(cap.size() > 5);
+    three.models[2].ignored = cap;
+    const MatchResult target = finished(PairwiseMatch(three.models));
+    CHECK(target.report.skins[2].distances.mean_there < 0.002);
+    three.models[2].ignored.clear();
+    three.models[0].ignored = cap;
+    PairwiseMatch match(three.models);
+    while (match.step() && !(match.positions(2).rows() > 0 && match.fraction() > 0.95)) {
+    }
+    const MatchResult before = match.result();
+    while (match.step()) {
+    }
+    const Points after = match.positions(2);
+    const TriangleTree tree(three.meshes[0]);
+    std::vector<char> capped(static_cast<std::size_t>(three.meshes[0].vertex_count()), 0);
+    for (const int v : cap) capped[static_cast<std::size_t>(v)] = 1;
+    int held = 0, moved = 0;
+    for (int v = 0; v < before.skins.vertex_count(); ++v) {
+        const auto at = tree.nearest(before.skins.points[0].row(v));
+        const auto corners = three.meshes[0].triangles.row(at.triangle);
+        if (std::all_of(corners.begin(), corners.end(), [&](int w) { return capped[static_cast<std::size_t>(w)]; })) {
+            ++held;
+            CHECK(after.row(v) == before.skins.points[2].row(v));
+        } else moved += after.row(v) != before.skins.points[2].row(v);
+    }
+    CHECK(held > 5);
+    CHECK(moved > held);
+}
+
 TEST_CASE("two models are the one pair, exactly") {
     const Three two(2);
     const MatchResult paired = finished(PairwiseMatch(two.models)), joint = finished(MatchSession(two.models));
@@ -109,4 +213,11 @@ TEST_CASE("what a session refuses is refused") {
     const Three three;
     CHECK(refusal([&] { PairwiseMatch match({three.models.front()}); }) == "model-count");
     CHECK(refusal([&] { PairwiseMatch match(three.models, {.levels = 9}); }) == "bad-option");
+    // Before any pair is matched, though it is the last model that is wrong.
+    Three wrong;
+    wrong.models[2].ignored = {99999};
+    CHECK(refusal([&] { PairwiseMatch match(wrong.models); }) == "bad-mask");
+    wrong.models[2].ignored.clear();
+    wrong.models[2].markers.conservativeResize(5, 3);
+    CHECK(refusal([&] { PairwiseMatch match(wrong.models); }) == "marker-count");
 }
