@@ -33,6 +33,7 @@ export const matchedRecipe = (...more: Step[]): Recipe => ({
       markers: [],
       adapt: 0,
       method: 'graph',
+      together: true,
       start: 'automatic',
     },
     ...more,

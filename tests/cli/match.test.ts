@@ -13,11 +13,11 @@ async function matched(
   ],
 ) {
   const shell = new Shell();
-  for (const name of ['pear', 'plum'] as const)
+  for (const name of ['pear', 'plum', 'fig'] as const)
     shell.write(`${name}.ply`, writeModel({ name, ...FRUIT[name] }, 'ply'));
   const recipe = shell.write('r.json', {
     lissom: 1,
-    models: { pear: { file: 'pear.ply' }, plum: { file: 'plum.ply' } },
+    models: { pear: { file: 'pear.ply' }, plum: { file: 'plum.ply' }, fig: { file: 'fig.ply' } },
     steps: [match(fields)],
     outputs,
   });
@@ -40,6 +40,24 @@ test('skins of one connectivity are written, and the report says what they are w
     selfIntersections: { pear: 0, plum: 0 },
   });
   expect(step.distance.plum.mean).toBeLessThan(0.004);
+});
+
+test('three models pair by pair: the report has all of them, and the sharp edges that are lost', async () => {
+  const three = {
+    models: ['pear', 'plum', 'fig'],
+    markers: marks().map((pair, at) => [...pair, FRUIT.fig.ends[at]!]),
+    // A chain along edges of the third model.
+    sharp: [[], [], [FRUIT.fig.faceVertices.slice(0, 2)].map((row) => [...row])],
+    together: false,
+  };
+  const { shell, status, stderr } = await matched(three, [{ step: 'm/fig', file: 'fig.ply' }]);
+  expect({ status, stderr }).toEqual({ status: 0, stderr: '' });
+  const [step] = JSON.parse(shell.read('report.json')).steps;
+  expect(Object.keys(step.distance)).toEqual(['pear', 'plum', 'fig']);
+  expect(step.warnings).toContainEqual(
+    expect.objectContaining({ code: 'sharp-lost', model: 'fig', count: 1 }),
+  );
+  expect(shell.model('out/fig.ply').positions.length / 3).toBe(step.vertices);
 });
 
 test('one skin is written with the others as morph targets', async () => {

@@ -44,6 +44,40 @@ test('a place is the same as a vertex, on a face, or as a point', async () => {
   expect(said.models!.plum!.positions).toEqual(plain.models!.plum!.positions);
 });
 
+describe('three models', () => {
+  const markers = marks().map((pair, at) => [...pair, FRUIT.fig.ends[at]!]);
+  const three = { models: ['pear', 'plum', 'fig'], markers };
+
+  test('pair by pair they have one connectivity, too, and markers are met; it is not what comes all at once', async () => {
+    const [paired, joint] = [
+      await run(recipeOf(match({ ...three, together: false }))),
+      await run(recipeOf(match(three))),
+    ];
+    const { models, report } = paired;
+    expect(Object.keys(models!)).toEqual(['pear', 'plum', 'fig']);
+    for (const name of ['plum', 'fig']) {
+      expect(models![name]!.faceVertices).toEqual(models!.pear!.faceVertices);
+      expect(report.distance[name]!.mean).toBeLessThan(0.004);
+    }
+    expect(report.markerError).toBeLessThan(1e-9);
+    expect(report.selfIntersections).toEqual({ pear: 0, plum: 0, fig: 0 });
+    expect(models!.fig!.positions).not.toEqual(joint.models!.fig!.positions);
+  });
+
+  test('under way a model that has no skin yet shows none', async () => {
+    const seen: boolean[][] = [];
+    const onLook = ({ positions }: { positions: readonly Float64Array[] }) =>
+      seen.push(positions.map(({ length }) => length > 0));
+    await (await fruitRunner()).run(recipeOf(match({ ...three, together: false })), { onLook });
+    expect(seen).toContainEqual([true, true, false]);
+  });
+});
+
+test('two models are matched alike either way', async () => {
+  const [joint, paired] = [await run(recipeOf(match())), await run(recipeOf(match({ together: false })))];
+  expect(paired.models!.plum!.positions).toEqual(joint.models!.plum!.positions);
+});
+
 test('skins are models like any other for the steps that follow', async () => {
   const bend = {
     id: 'bend',

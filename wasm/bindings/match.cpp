@@ -2,12 +2,14 @@
 #include "session.h"
 #include "lissom/match/marker_alignment.h"
 #include "lissom/match/match_session.h"
+#include "lissom/match/pairwise_match.h"
 #include "lissom/match/places.h"
 
 #include <emscripten/bind.h>
 
 #include <memory>
 #include <string>
+#include <variant>
 
 using namespace emscripten;
 using namespace bindings;
@@ -17,8 +19,12 @@ namespace {
 /// A session together with the models it refers to, so that any may be released first.
 struct HeldMatch {
     std::vector<std::shared_ptr<lissom::WorkingMesh>> models;
-    lissom::MatchSession session;
+    std::variant<lissom::MatchSession, lissom::PairwiseMatch> session;
     int iterations = 0; ///< of carrying, fitting and changing edges
+
+    [[nodiscard]] double fraction() const {
+        return std::visit([](const auto& match) { return match.fraction(); }, session);
+    }
 };
 
 lissom::MatchOptions match_options(const val& given, const lissom::WorkingMesh& source) {
@@ -57,7 +63,12 @@ HeldMatch* prepare(const val& list, const val& marked, const val& options) {
         std::vector<std::shared_ptr<lissom::WorkingMesh>> models;
         for (const val& one : vecFromJSArray<val>(list)) models.push_back(one.as<std::shared_ptr<lissom::WorkingMesh>>());
         if (models.empty()) throw lissom::InvalidInput("model-count", "There is no model to match.");
-        return new HeldMatch{models, lissom::MatchSession(match_models(models, marked), match_options(options, *models.front()))};
+        const std::vector<lissom::MatchModel> given = match_models(models, marked);
+        const lissom::MatchOptions chosen = match_options(options, *models.front());
+        bool together = true;
+        read(options, "together", together);
+        if (together) return new HeldMatch{models, lissom::MatchSession(given, chosen)};
+        return new HeldMatch{models, lissom::PairwiseMatch(given, chosen)};
     });
 }
 
@@ -65,17 +76,18 @@ HeldMatch* prepare(const val& list, const val& marked, const val& options) {
 bool advance(HeldMatch& held) {
     return guarded([&] {
         ++held.iterations;
-        return held.session.step();
+        return std::visit([](auto& match) { return match.step(); }, held.session);
     });
 }
 
 // look() → GrowingSkins, or undefined before there are any
 val look(const HeldMatch& held) {
     return guarded([&] {
-        const lissom::Triangles& triangles = held.session.triangles();
+        const lissom::Triangles& triangles = std::visit([](const auto& match) -> const lissom::Triangles& { return match.triangles(); }, held.session);
         if (triangles.rows() == 0) return val::undefined();
         val positions = val::array();
-        for (std::size_t k = 0; k < held.models.size(); ++k) positions.call<void>("push", float64_array(held.session.positions(static_cast<int>(k))));
+        for (std::size_t k = 0; k < held.models.size(); ++k)
+            positions.call<void>("push", float64_array(std::visit([&](const auto& match) { return match.positions(static_cast<int>(k)); }, held.session)));
         val result = val::object();
         result.set("triangles", uint32_array(triangles.data(), static_cast<std::size_t>(triangles.size())));
         result.set("positions", positions);
@@ -117,7 +129,7 @@ val match_warnings(const std::vector<lissom::MatchWarning>& warnings) {
 // result() → what Matched of web/kernel/contract/match.ts says, but for the memory
 val result(const HeldMatch& held) {
     return guarded([&] {
-        const lissom::MatchResult found = held.session.result();
+        const lissom::MatchResult found = std::visit([](const auto& match) { return match.result(); }, held.session);
         const lissom::MatchReport& report = found.report;
         val positions = val::array(), figures = val::array(), residuals = val::array(), poorest = val::array();
         for (const lissom::Points& skin : found.skins.points) positions.call<void>("push", float64_array(skin));
@@ -171,7 +183,7 @@ EMSCRIPTEN_BINDINGS(match) {
     class_<HeldMatch>("MatchSession")
         .constructor(&prepare, allow_raw_pointers())
         .function("step", &advance)
-        .function("fraction", &bindings::fraction<HeldMatch>)
+        .function("fraction", &HeldMatch::fraction)
         .function("look", &look)
         .function("result", &result);
 }

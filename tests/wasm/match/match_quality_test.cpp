@@ -54,6 +54,13 @@ bool warns(const lissom::MatchReport& report, const std::string& code) {
 int own_crossings(const TriangleMesh& mesh) { return static_cast<int>(lissom::self_intersections(mesh).triangles.size()); }
 int own_folds(const TriangleMesh& mesh) { return lissom::count_folds(mesh, lissom::neighbouring_triangles(mesh)); }
 
+/// A skin is folded no more often than its model. One that keeps the source's triangles has the source's folds in them, too: no more than that either.
+void check_folds(const lissom::MatchReport& report, const TriangleMesh& source, const TriangleMesh& target, bool connectivity) {
+    const int own = own_folds(target), from = own_folds(source);
+    MESSAGE("folds of the skin " << report.skins[1].folds << ", of its model " << own << ", of the source " << from);
+    CHECK(report.skins[1].folds <= (connectivity ? own : std::max(own, from)));
+}
+
 constexpr const char* k_heads[] = {"female", "male", "elf", "heavy", "child"};
 /// Five heads, or none; as they are, of one connectivity.
 std::vector<TriangleMesh> heads() {
@@ -64,6 +71,15 @@ std::vector<TriangleMesh> heads() {
     }
     return all;
 }
+/// One head's skin by one way of matching, from the first of the family.
+struct Way {
+    const char* name;
+    const lissom::SkinReport& skin;
+    double apart;
+
+    Way(const char* title, const lissom::MatchResult& result, const std::vector<TriangleMesh>& family, int head, int at)
+        : name(title), skin(result.report.skins[static_cast<std::size_t>(at)]), apart(pairs::error(result.skins, family[0], family[static_cast<std::size_t>(head)], 0, at).mean) {}
+};
 /// Anew in triangles of its own, so that nothing of the family's connectivity is known.
 TriangleMesh anew(const TriangleMesh& head) { return lissom::remesh(head, {0.016 * lissom::diagonal(head.points)}).mesh; }
 
@@ -92,15 +108,26 @@ TEST_CASE("five heads at once: what corresponds lies within 1.7 % in the mean fo
                      << "), crossings " << skin.crossings << ", flipped " << skin.flipped);
         CHECK(skin.crossings == 0);
         CHECK(skin.flipped == 0);
+        CHECK(skin.folds <= own_folds(family[i]));
     }
     CHECK(matched.result.report.marker_error < 1e-12);
-    for (const int j : {2, 4}) {
+    const pairs::ByPairs by_pairs = pairs::run_by_pairs(models, places);
+    CHECK(by_pairs.projected.result.report.marker_error < 1e-12);
+    MESSAGE("five heads by pairs: " << pairs::figures(by_pairs.projected));
+    for (int j = 1; j < 5; ++j) {
         const pairs::Matched two = pairs::run({models[0], family[j]}, {places[0], places[j]});
-        const double alone = pairs::error(two.result.skins, family[0], family[j]).mean, together = pairs::error(matched.result.skins, family[0], family[j], 0, j).mean;
-        const double near_alone = two.result.report.skins[1].distances.mean_there, near_together = matched.result.report.skins[static_cast<std::size_t>(j)].distances.mean_there;
-        MESSAGE("female -> " << std::string(k_heads[j]) << ": apart " << 100 * alone << " % by itself, " << 100 * together << " % among five; from the model " << near_alone << ", " << near_together);
-        CHECK(together < alone + 0.0002);
-        CHECK(near_together < 1.1 * near_alone);
+        const Way ways[] = {{"by itself", two.result, family, j, 1}, {"all at once", matched.result, family, j, j}, {"composed", by_pairs.composed, family, j, j}, {"projected", by_pairs.projected.result, family, j, j}};
+        for (const Way& way : ways)
+            MESSAGE("female -> " << std::string(k_heads[j]) << ", " << std::string(way.name) << ": apart " << 100 * way.apart << " %; skin to model " << way.skin.distances.mean_there << ", back " << way.skin.distances.mean_back
+                                 << ", 99 % " << way.skin.distances.most << ", folds " << way.skin.folds << ", crossings " << way.skin.crossings);
+        const Way &alone = ways[0], &together = ways[1], &composed = ways[2], &projected = ways[3];
+        CHECK(together.apart < alone.apart + 0.0002);
+        CHECK(together.skin.distances.mean_there < 1.1 * alone.skin.distances.mean_there);
+        CHECK(projected.skin.distances.mean_there <= composed.skin.distances.mean_there);
+        CHECK(projected.skin.distances.mean_back <= composed.skin.distances.mean_back);
+        CHECK(projected.apart <= composed.apart + 1e-5);
+        CHECK(projected.skin.crossings == 0);
+        CHECK(projected.skin.folds <= own_folds(family[j]));
     }
 }
 
@@ -116,6 +143,7 @@ TEST_CASE("every ordered pair of five heads by itself: within 1.7 % in the mean"
             MESSAGE(std::string(k_heads[i]) << " -> " << std::string(k_heads[j]) << ": " << 100 * error.mean << " % (most " << 100 * error.most << " %), " << pairs::figures(matched));
             CHECK(error.mean < 0.017);
             CHECK(matched.result.report.skins[1].crossings == 0);
+            CHECK(matched.result.report.skins[1].folds <= own_folds(family[j]));
         }
 }
 
@@ -141,6 +169,8 @@ TEST_CASE("bodies in other poses: a walk within 1.5 % by 49 markers, raised arms
         MESSAGE(std::string(name) << ": " << 100 * error.mean << " % (most " << 100 * error.most << " %), own folds " << own_folds(target) << ", own crossings " << own_crossings(target) << ", " << pairs::figures(matched));
         CHECK(error.mean < 0.015);
         CHECK(matched.result.report.skins[1].crossings <= own_crossings(target));
+        // A walk's skin, tangled at its fingers as the model is, may have a few folds more; it is seen, and does not fail.
+        WARN(matched.result.report.skins[1].folds <= own_folds(target));
         CHECK(warns(matched.result.report, "poses-differ"));
     };
     check("body, slim at rest -> male walking, 49 markers", shared("pairs/body_male_walk_remesh"), shared("human/body_male_walk"), all_of(marks));
@@ -185,6 +215,7 @@ TEST_CASE("a calf becomes a cow by thirteen markers") {
     CHECK(report.skins[1].distances.most < 0.01);
     CHECK(report.marker_error < 1e-12);
     CHECK(report.skins[1].crossings == 0);
+    check_folds(report, calf, cow, true);
 }
 
 TEST_CASE("a face becomes another: what corresponds lies within 1.4 % in the mean") {
@@ -203,6 +234,7 @@ TEST_CASE("a face becomes another: what corresponds lies within 1.4 % in the mea
         CHECK(matched.result.report.skins[1].distances.mean_back < 0.0005);
         CHECK(matched.result.report.marker_error < 1e-12);
         CHECK(matched.result.report.skins[1].crossings == 0);
+        check_folds(matched.result.report, source, target, connectivity);
     }
 }
 
@@ -223,6 +255,7 @@ TEST_CASE("a body becomes another: what corresponds lies within 1 % in the mean"
         CHECK(matched.result.report.skins[1].distances.most < 0.003);
         CHECK(matched.result.report.marker_error < 1e-12);
         CHECK(matched.result.report.skins[1].crossings == 0);
+        check_folds(matched.result.report, source, target, connectivity);
     }
 }
 

@@ -4,6 +4,7 @@
 #include "lissom/match/marker_curves.h"
 
 #include "../refusal.h"
+#include "armed.h"
 #include "lissom/mesh/errors.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/self_intersections.h"
@@ -16,6 +17,8 @@
 #include <cmath>
 
 using namespace lissom;
+using armed::figure;
+using armed::some;
 using Eigen::Affine3d;
 using Eigen::RowVector3d;
 using Eigen::Vector3d;
@@ -35,27 +38,6 @@ MatchResult matched(const TriangleMesh& source, const TriangleMesh& target, cons
     return session.result();
 }
 
-/// A ball with five arms: nothing symmetric about it.
-TriangleMesh figure(double bend = 0, int levels = 4) {
-    TriangleMesh mesh = shapes::icosphere(levels);
-    Points arms(5, 3);
-    arms << 1, 0.2, 0.1, -0.8, 0.5, 0.3, 0.1, -1, 0.3, 0.2, 0.4, 1, -0.3, 0.1, -1;
-    const double lengths[] = {0.8, 0.5, 0.7, 0.4, 0.6};
-    for (int v = 0; v < mesh.vertex_count(); ++v) {
-        const Vector3d d = mesh.points.row(v).normalized();
-        double r = 0.5;
-        for (int k = 0; k < 5; ++k) r += lengths[k] * (1 + bend * std::sin(2.0 * k)) * std::exp(12 * (d.dot(Vector3d(arms.row(k).normalized())) - 1));
-        const Vector3d p = r * d;
-        mesh.points.row(v) = RowVector3d(p.x() + bend * 0.3 * p.y() * p.y(), p.y() + bend * 0.2 * p.z() * p.z(), p.z() - bend * 0.3 * p.x() * p.y());
-    }
-    return mesh;
-}
-/// Vertices of the icosphere as markers: the same places on every figure.
-Points some(const TriangleMesh& mesh, int count = 12) {
-    Points places(count, 3);
-    for (int k = 0; k < count; ++k) places.row(k) = mesh.points.row(k); // the icosahedron's own
-    return places;
-}
 Affine3d placed(double scale) { return Eigen::Translation3d(scale * Vector3d(3, -2, 7)) * Eigen::AngleAxisd(2.3, Vector3d(1, -2, 3).normalized()) * Eigen::Scaling(scale); }
 
 bool has(const MatchReport& report, const std::string& code) {

@@ -2,6 +2,7 @@
 
 #include "shapes.h"
 
+#include "lissom/match/pairwise_match.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/stopwatch.h"
 #include "lissom/mesh/surface_samples.h"
@@ -50,18 +51,48 @@ Matched run(const TriangleMesh& source, const TriangleMesh& target, const Points
     return run({source, target}, {from, to}, options);
 }
 
-Matched run(const std::vector<TriangleMesh>& models, const std::vector<Points>& markers, const MatchOptions& options) {
+namespace {
+
+struct Given {
     std::vector<WorkingMesh> working;
-    for (const TriangleMesh& mesh : models) working.push_back(shapes::working(mesh));
-    std::vector<MatchModel> given;
-    for (std::size_t k = 0; k < models.size(); ++k) given.push_back({&working[k], markers[k]});
+    std::vector<MatchModel> models;
+
+    Given(const std::vector<TriangleMesh>& meshes, const std::vector<Points>& markers) {
+        for (const TriangleMesh& mesh : meshes) working.push_back(shapes::working(mesh));
+        for (std::size_t k = 0; k < meshes.size(); ++k) models.push_back({&working[k], markers[k]});
+    }
+};
+
+} // namespace
+
+Matched run(const std::vector<TriangleMesh>& models, const std::vector<Points>& markers, const MatchOptions& options) {
+    const Given given(models, markers);
     Stopwatch watch;
-    MatchSession session(given, options);
+    MatchSession session(given.models, options);
     while (session.step()) {
     }
     Matched matched{session.result(), 0};
     matched.seconds = watch.lap();
     return matched;
+}
+
+ByPairs run_by_pairs(const std::vector<TriangleMesh>& models, const std::vector<Points>& markers) {
+    const Given given(models, markers);
+    Stopwatch watch;
+    PairwiseMatch match(given.models);
+    const auto all = [&] {
+        for (std::size_t k = 0; k < models.size(); ++k)
+            if (match.positions(static_cast<int>(k)).rows() == 0) return false;
+        return true;
+    };
+    while (!all() && match.step()) {
+    }
+    MatchResult composed = match.result();
+    while (match.step()) {
+    }
+    Matched projected{match.result(), 0};
+    projected.seconds = watch.lap();
+    return {std::move(composed), std::move(projected)};
 }
 
 Error error(const SkinSet& skins, const TriangleMesh& source, const TriangleMesh& target, int from, int to) {

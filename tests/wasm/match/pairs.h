@@ -25,6 +25,13 @@ struct Matched {
 /// Any number of models at once, the source first.
 [[nodiscard]] Matched run(const std::vector<lissom::TriangleMesh>& models, const std::vector<lissom::Points>& markers, const lissom::MatchOptions& options = {});
 
+/// The same by pairs, composed: before and after the projections.
+struct ByPairs {
+    lissom::MatchResult composed;
+    Matched projected;
+};
+[[nodiscard]] ByPairs run_by_pairs(const std::vector<lissom::TriangleMesh>& models, const std::vector<lissom::Points>& markers);
+
 /// How far the target's skin is from the truth, as shares of the target's diagonal, over samples of the source's skin that each stand for the same area.
 struct Error {
     double mean, most;

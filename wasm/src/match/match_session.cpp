@@ -15,6 +15,7 @@
 #include "match_checks.h"
 #include "match_report.h"
 #include "placed_model.h"
+#include "projection.h"
 #include "sharp_finish.h"
 #include "skin_beginning.h"
 
@@ -423,28 +424,14 @@ struct MatchSession::State {
         end_fine_step();
     }
 
-    /// Each vertex at its nearest place of the surface that faces as it does; what is `kept` stays.
-    [[nodiscard]] static Points on_surface(const FitSurface& surface, const TriangleMesh& skin, double least_cosine, const std::vector<char>& kept, bool everywhere = false) {
-        Points places = skin.points;
-        const Points normals = vertex_normals(skin);
-        const std::vector<bool> border = surface.has_border() ? boundary_vertices(skin) : std::vector<bool>(places.rows(), false);
-        for (int v = 0; v < skin.vertex_count(); ++v) {
-            if (kept[v]) continue;
-            const Vector3d p = skin.points.row(v);
-            const auto place = border[v] ? surface.nearest_on_border(p, k_fine_reach) : surface.nearest(p, normals.row(v), least_cosine, k_fine_reach);
-            if (place.triangle >= 0 && (border[v] || !place.on_border) && (everywhere || !place.ignored)) places.row(v) = place.point.transpose();
-        }
-        return places;
-    }
-
     /// The source's skin began on its model, and stays there even where that is masked.
     [[nodiscard]] Points on_source(const TriangleMesh& skin, double least_cosine) {
         if (source().placed.is_points()) return skin.points; // a surface drawn through points is rougher than the skin
-        return on_surface(source().surface(), skin, least_cosine, locked_on_source(), true);
+        return projected(source().surface(), skin, least_cosine, locked_on_source(), true);
     }
 
     void project() {
-        take_step(on_surface(present().surface(), skins.mesh(model), k_projection_cosine, told()));
+        take_step(projected(present().surface(), skins.mesh(model), k_projection_cosine, told()));
         if (next_model()) return;
         if (iteration == 0 && changes.any()) take_source_step(on_source(skins.mesh(0), k_projection_cosine));
         if (++iteration == k_projections) finish();

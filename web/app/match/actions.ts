@@ -11,7 +11,7 @@ import type { MatchState, PaneLook } from './state';
 /** Those of the step's fields that are set by controls. */
 export type MatchSettings = Pick<
   MatchStep,
-  'edgeLength' | 'adapt' | 'sharpAngle' | 'first' | 'genus' | 'method' | 'start'
+  'edgeLength' | 'adapt' | 'sharpAngle' | 'first' | 'genus' | 'method' | 'together' | 'start'
 >;
 
 /** What panels, commands and tools ask of the open match step. Each edit is one step of undo, except previews. */

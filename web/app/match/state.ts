@@ -54,7 +54,7 @@ export class MatchState {
   /** Whether the step says something else by now than what was matched. */
   readonly outdated: ReadonlySignal<boolean>;
   /** The skins of the match under way. */
-  readonly growing = signal<readonly Skin[] | null>(null);
+  readonly growing = signal<readonly (Skin | null)[] | null>(null);
   readonly running = signal(false);
   /** Why the models could not be matched. */
   readonly problem = signal<string | null>(null);
@@ -150,5 +150,6 @@ export class MatchState {
   }
 }
 
-export const growingSkins = ({ triangles, positions }: GrowingSkins): Skin[] =>
-  positions.map((each) => ({ triangles, positions: each }));
+/** Matched pair by pair, not every model has a skin yet. */
+export const growingSkins = ({ triangles, positions }: GrowingSkins): (Skin | null)[] =>
+  positions.map((each) => (each.length > 0 ? { triangles, positions: each } : null));

@@ -4,7 +4,7 @@ import type { KernelId } from './model';
 /** Skins under way: the same triangles over each model, in the order of the models. */
 export interface GrowingSkins {
   readonly triangles: Uint32Array;
-  /** Of each model: 3 per vertex, in its space. */
+  /** Of each model: 3 per vertex, in its space; under way none where it has no skin yet. */
   readonly positions: readonly Float64Array[];
 }
 
@@ -31,6 +31,8 @@ export interface MatchOptions {
   readonly adapt?: number | undefined;
   /** Degrees; none when left out. */
   readonly sharpAngle?: number | undefined;
+  /** False: the source with each other model by itself, composed afterwards (Skins 4); else all at once. */
+  readonly together?: boolean | undefined;
 }
 
 /** What a skin is worth. Distances are shares of its model's bounding box diagonal. */

@@ -82,6 +82,8 @@ export const matchStep = v.strictObject({
   genus: v.optional(wholeBetween(0, MAX_GENUS)),
   /** By a graph of affine maps, or one particle at a time as the paper has it. */
   method: v.optional(v.picklist(['graph', 'paper']), 'graph'),
+  /** Several models on one first skin from the start; or by pairs, composed afterwards as the paper has it. For two it is the same. */
+  together: v.optional(v.boolean(), true),
   /** How the source is first laid on the others: moved, bent by the markers, or whichever does better. */
   start: v.optional(v.picklist(['automatic', 'similarity', 'radial']), 'automatic'),
 });

@@ -96,10 +96,10 @@ export const matchRunner = {
       curves: curves.map((rows) => placePoints(model, rows[at]!, inputName(step, at))),
       sharp: (step.sharp?.[at] ?? []).map((row) => Uint32Array.from(row)),
     }));
-    const { edgeLength, adapt, sharpAngle, first, genus, method, start } = step;
+    const { edgeLength, adapt, sharpAngle, first, genus, method, together, start } = step;
     const matched = await context.kernel.call(
       'match',
-      { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, start } },
+      { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, together, start } },
       { ...signalOf(context), onProgress, ...(onLook && { onLook }) },
     );
     const { triangles, attributes } = await carriedFrom(inputs[0]!, matched, context);

@@ -6,6 +6,7 @@ import { useMatch } from './use-match';
 
 const FIRST = ['automatic', 'copy', 'remesh', 'wrap', 'box', 'sphere', 'torus'] as const;
 const METHODS = ['graph', 'paper'] as const;
+const TOGETHER = ['all', 'pairs'] as const;
 const STARTS = ['automatic', 'similarity', 'radial'] as const;
 /** Degrees: a bevel is below, a corner above. */
 const USUAL_ANGLE = 40;
@@ -48,6 +49,14 @@ export function OptionsPanel() {
         options={METHODS.map((value) => ({ value, label: t(`ui.match.method.${value}`) }))}
         onChange={(method) => match.set({ method })}
       />
+      {step.models.length > 2 && (
+        <SelectField
+          label={t('ui.match.together')}
+          value={step.together ? 'all' : 'pairs'}
+          options={TOGETHER.map((value) => ({ value, label: t(`ui.match.together.${value}`) }))}
+          onChange={(value) => match.set({ together: value === 'all' })}
+        />
+      )}
     </Section>
   );
 }
