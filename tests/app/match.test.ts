@@ -205,3 +205,37 @@ describe('matching', () => {
 
 const step0 = (tab: Tab) =>
   (tab.app.document.recipe.steps.find(({ type }) => type === 'match') as { models: string[] }).models[0];
+
+describe('sharp edges', () => {
+  test('that are picked are items like markers: taken, selected, left, undone', async () => {
+    const tab = await two();
+    tab.match.marking.setSharp(1, 0, [0, 1, 3]);
+    expect(step(tab).sharp).toEqual([[], [[0, 1, 3]]]);
+    expect(tab.matchState.sharp.value).toEqual({ model: 1, row: 0 });
+    expect([tab.matchState.marker.value, tab.matchState.curve.value]).toEqual([null, null]);
+    expect(tab.app.state.undoLabel.value).toBe('Keep an edge sharp');
+    tab.match.marking.setSharp(0, 0, [4, 5]);
+    await tab.app.commands.run('match.remove');
+    expect(step(tab).sharp).toEqual([[], [[0, 1, 3]]]);
+    expect(tab.app.state.undoLabel.value).toBe('Leave a sharp edge');
+    tab.app.document.undo();
+    tab.app.document.undo();
+    tab.app.document.undo();
+    expect(step(tab).sharp).toBeUndefined();
+  });
+
+  test('that an angle keeps are known before anything is matched, and asked for once', async () => {
+    const tab = await two();
+    expect(tab.matchState.kept.value).toEqual([]);
+    tab.match.set({ sharpAngle: 40 });
+    await settled(tab);
+    expect(tab.matchState.kept.value.map((rows) => rows.length)).toEqual([1, 1]);
+    const asked = () => tab.kernel.calls.filter((method) => method === 'sharpEdges').length;
+    expect(asked()).toBe(2);
+    await mark(tab, 0, 3, 6);
+    expect(asked()).toBe(2);
+    tab.match.set({ sharpAngle: undefined });
+    await settled(tab);
+    expect(tab.matchState.kept.value).toEqual([]);
+  });
+});
