@@ -11,8 +11,8 @@ type Rows = readonly Uint32Array[];
 /** Keeps them up to date. @returns the function that ends it */
 export function followKept(own: MatchState, { document, runner }: Pick<WingParts, 'document' | 'runner'>) {
   let abort = new AbortController();
-  /** Of each model those of the last angle. */
-  const known = new WeakMap<ModelResult, { readonly angle: number; readonly rows: Rows }>();
+  /** Of each model, by what it is, those of the last angle. */
+  const known = new Map<string, { readonly angle: number; readonly rows: Rows }>();
   const stop = effect(() => {
     const step = own.step.value;
     const models = own.models.value;
@@ -28,10 +28,10 @@ export function followKept(own: MatchState, { document, runner }: Pick<WingParts
     const { signal } = abort;
     const { recipe } = document;
     const rowsOf = async (held: ModelResult, model: number): Promise<Rows> => {
-      const before = known.get(held);
+      const before = known.get(held.key);
       if (before?.angle === angle) return before.rows;
       const rows = await runner.ask(recipe, step.id, 'sharpEdges', { model, angle }, { signal });
-      known.set(held, { angle, rows });
+      known.set(held.key, { angle, rows });
       return rows;
     };
     const all = async () => {
@@ -41,7 +41,10 @@ export function followKept(own: MatchState, { document, runner }: Pick<WingParts
     };
     all()
       .then((kept) => {
-        if (!signal.aborted) own.kept.value = kept;
+        if (signal.aborted) return;
+        own.kept.value = kept;
+        const held = new Set(models.map(({ key }) => key));
+        for (const key of known.keys()) if (!held.has(key)) known.delete(key);
       })
       .catch((error: unknown) => {
         // Edges that cannot be had are not shown.
