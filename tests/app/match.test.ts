@@ -1,6 +1,7 @@
 // The match workspace on a kernel of few lines: every model is its own skin.
 
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { parseRecipe } from '../../web/recipe/parse';
 import { pointOf, type Spot } from '../../web/tools/match/places';
 import { listed, serve } from './served';
 import { CUBE_OBJ, Tab } from './world';
@@ -237,5 +238,40 @@ describe('sharp edges', () => {
     tab.match.set({ sharpAngle: undefined });
     await settled(tab);
     expect(tab.matchState.kept.value).toEqual([]);
+  });
+});
+
+describe('a pose first', () => {
+  test('is made before the match, which takes what comes of it', async () => {
+    const tab = await matched();
+    const { markers } = step(tab);
+    await tab.match.models.pose(1, 'deform');
+    await settled(tab);
+    const { recipe } = tab.app.document;
+    expect(recipe.steps.map(({ id }) => id).slice(-2)).toEqual(['deform 2', 'match 1']);
+    expect(tab.app.state.step.value).toMatchObject({ id: 'deform 2', model: 'cow' });
+    expect(tab.app.state.workspace.value).toBe('deform');
+    await enter(tab);
+    await settled(tab);
+    expect(step(tab)).toMatchObject({ models: ['cube', 'deform 2'], markers });
+    expect(tab.matchState.models.value).toHaveLength(2);
+    expect(matches(tab)).toBe(1);
+    await tab.app.commands.run('match.run');
+    await settled(tab);
+    expect(matches(tab)).toBe(2);
+    // Posed once, it is that pose which is opened.
+    await tab.match.models.pose(1, 'deform');
+    expect(tab.app.state.step.value).toMatchObject({ id: 'deform 2' });
+    expect(tab.app.document.recipe.steps).toHaveLength(recipe.steps.length);
+  });
+
+  test('by curves; undone it is gone, and the match is what it was', async () => {
+    const tab = await matched();
+    const before = tab.app.document.recipe;
+    await tab.match.models.pose(0, 'curves');
+    expect(tab.app.state.step.value).toMatchObject({ type: 'curves', model: 'cube' });
+    expect(parseRecipe(JSON.stringify(tab.app.document.recipe))).toEqual(tab.app.document.recipe);
+    tab.app.document.undo();
+    expect(tab.app.document.recipe).toBe(before);
   });
 });
