@@ -169,6 +169,40 @@ describe('measures', () => {
     expect(tab.blend.measuring.isWanted()).toBe(false);
   });
 
+  test('a length runs along edges from one place to another, or straight through', async () => {
+    const tab = await matchedTab('blend');
+    tab.blend.measuring.addLength(0, 7, false);
+    await settled(tab);
+    const [measure] = step(tab).measures;
+    expect(measure).toMatchObject({ kind: 'length' });
+    const path = measure?.kind === 'length' ? measure.path : [];
+    // Over one side's diagonal and one edge, or three edges: never through the cube.
+    expect(path.length).toBeGreaterThan(2);
+    expect([path[0], path.at(-1)]).toEqual([0, 7]);
+    expect(tab.blend.measuring.rows()).toMatchObject([
+      { kind: 'length', name: 'Length 1', straight: false, value: null },
+    ]);
+    tab.blend.measuring.straighten(0, true);
+    await settled(tab);
+    expect(step(tab).measures).toEqual([{ kind: 'length', path: [0, 7] }]);
+    tab.blend.measuring.want(0, 0.75);
+    await settled(tab);
+    expect(tab.blend.rows()[0]).toMatchObject({ name: 'ann', found: 0.75 });
+    tab.app.document.undo();
+    tab.app.document.undo();
+    expect(step(tab).measures[0]).toEqual(measure);
+    tab.blend.measuring.remove(0);
+    expect(step(tab).measures).toEqual([]);
+  });
+
+  test('a length that is begun is given up by Escape, and by another tool', async () => {
+    const tab = await matchedTab('blend');
+    await tab.app.commands.run('tool.measure-length');
+    tab.blendState.length.value = { from: 3, to: null, straight: false };
+    await tab.app.commands.run('edit.cancel');
+    expect(tab.blendState.length.value).toBeNull();
+  });
+
   test('a slider goes somewhat beyond what the models have', async () => {
     const tab = await matchedTab('blend');
     tab.blend.measuring.addGirth(7);

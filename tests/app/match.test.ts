@@ -1,6 +1,7 @@
 // The match workspace on a kernel of few lines: every model is its own skin.
 
 import { afterEach, beforeEach, describe, expect, test, vi } from 'vitest';
+import { parseRecipe } from '../../web/recipe/parse';
 import { pointOf, type Spot } from '../../web/tools/match/places';
 import { listed, serve } from './served';
 import { CUBE_OBJ, Tab } from './world';
@@ -205,3 +206,72 @@ describe('matching', () => {
 
 const step0 = (tab: Tab) =>
   (tab.app.document.recipe.steps.find(({ type }) => type === 'match') as { models: string[] }).models[0];
+
+describe('sharp edges', () => {
+  test('that are picked are items like markers: taken, selected, left, undone', async () => {
+    const tab = await two();
+    tab.match.marking.setSharp(1, 0, [0, 1, 3]);
+    expect(step(tab).sharp).toEqual([[], [[0, 1, 3]]]);
+    expect(tab.matchState.sharp.value).toEqual({ model: 1, row: 0 });
+    expect([tab.matchState.marker.value, tab.matchState.curve.value]).toEqual([null, null]);
+    expect(tab.app.state.undoLabel.value).toBe('Keep an edge sharp');
+    tab.match.marking.setSharp(0, 0, [4, 5]);
+    await tab.app.commands.run('match.remove');
+    expect(step(tab).sharp).toEqual([[], [[0, 1, 3]]]);
+    expect(tab.app.state.undoLabel.value).toBe('Leave a sharp edge');
+    tab.app.document.undo();
+    tab.app.document.undo();
+    tab.app.document.undo();
+    expect(step(tab).sharp).toBeUndefined();
+  });
+
+  test('that an angle keeps are known before anything is matched, and asked for once', async () => {
+    const tab = await two();
+    expect(tab.matchState.kept.value).toEqual([]);
+    tab.match.set({ sharpAngle: 40 });
+    await settled(tab);
+    expect(tab.matchState.kept.value.map((rows) => rows.length)).toEqual([1, 1]);
+    const asked = () => tab.kernel.calls.filter((method) => method === 'sharpEdges').length;
+    const before = asked();
+    await mark(tab, 0, 3, 6);
+    expect(asked()).toBe(before);
+    tab.match.set({ sharpAngle: undefined });
+    await settled(tab);
+    expect(tab.matchState.kept.value).toEqual([]);
+  });
+});
+
+describe('a pose first', () => {
+  test('is made before the match, which takes what comes of it', async () => {
+    const tab = await matched();
+    const { markers } = step(tab);
+    await tab.match.models.pose(1, 'deform');
+    await settled(tab);
+    const { recipe } = tab.app.document;
+    expect(recipe.steps.map(({ id }) => id).slice(-2)).toEqual(['deform 2', 'match 1']);
+    expect(tab.app.state.step.value).toMatchObject({ id: 'deform 2', model: 'cow' });
+    expect(tab.app.state.workspace.value).toBe('deform');
+    await enter(tab);
+    await settled(tab);
+    expect(step(tab)).toMatchObject({ models: ['cube', 'deform 2'], markers });
+    expect(tab.matchState.models.value).toHaveLength(2);
+    expect(matches(tab)).toBe(1);
+    await tab.app.commands.run('match.run');
+    await settled(tab);
+    expect(matches(tab)).toBe(2);
+    // Posed once, it is that pose which is opened.
+    await tab.match.models.pose(1, 'deform');
+    expect(tab.app.state.step.value).toMatchObject({ id: 'deform 2' });
+    expect(tab.app.document.recipe.steps).toHaveLength(recipe.steps.length);
+  });
+
+  test('by curves; undone it is gone, and the match is what it was', async () => {
+    const tab = await matched();
+    const before = tab.app.document.recipe;
+    await tab.match.models.pose(0, 'curves');
+    expect(tab.app.state.step.value).toMatchObject({ type: 'curves', model: 'cube' });
+    expect(parseRecipe(JSON.stringify(tab.app.document.recipe))).toEqual(tab.app.document.recipe);
+    tab.app.document.undo();
+    expect(tab.app.document.recipe).toBe(before);
+  });
+});

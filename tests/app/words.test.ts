@@ -65,6 +65,50 @@ test('every finding the kernel and the readers know has a message of its own', (
   expect(silent).toEqual([]);
 });
 
+/** Names in quotes in what the kernel's rooms of matching are made of. */
+function namedIn(folders: readonly string[], ...patterns: readonly RegExp[]): string[] {
+  const found = folders.flatMap((folder) =>
+    readdirSync(path.join(root, '..', folder))
+      .map((name) => readFileSync(path.join(root, '..', folder, name), 'utf8'))
+      .flatMap((text) => patterns.flatMap((pattern) => [...text.matchAll(pattern)].map(([, code]) => code!))),
+  );
+  return [...new Set(found)].sort();
+}
+const MATCHING = ['wasm/src/match', 'wasm/src/wear'];
+
+test('every warning that a match, a blend or a garment can bring has a sentence, and says what to do', () => {
+  const codes = namedIn(
+    MATCHING,
+    /\bwarn\(\s*"([a-z]+(?:-[a-z]+)*)"/g,
+    /\bpush_back\(\{?\s*"([a-z]+(?:-[a-z]+)*)"/g,
+    /\bMatchWarning \w+\{\s*"([a-z]+(?:-[a-z]+)*)"/g,
+  );
+  expect(codes).toEqual(expect.arrayContaining(['poses-differ', 'markers-moved', 'webs', 'inside-left']));
+  // No warning is made in a way that the patterns do not see: the headers list them all.
+  const manual = ['match/match_session.h', 'wear/blend_session.h', 'wear/dress_session.h']
+    .map((name) => readFileSync(path.join(root, '../wasm/include/lissom', name), 'utf8'))
+    .flatMap((text) =>
+      [...text.matchAll(/warnings;\s*((?:\/\/\/<[^\n]*\n\s*)+)/g)].map(([, comment]) => comment!),
+    )
+    .flatMap((comment) => [...comment.matchAll(/`([a-z]+(?:-[a-z]+)*)`/g)].map(([, code]) => code!));
+  expect(manual.filter((code) => !codes.includes(code))).toEqual([]);
+  expect(codes.filter((code) => !manual.includes(code))).toEqual([]);
+  expect(codes.filter((code) => !keys.includes(`finding.${code}`))).toEqual([]);
+  const sentence = (code: string) =>
+    tCode('finding.', code, 'finding.unknown', { count: 2, numbers: '1, 2' });
+  expect(codes.filter((code) => !/[.:?] [A-Z]|: [a-z]/.test(sentence(code)))).toEqual([]);
+});
+
+/** Only a caller of the kernel can bring these, never what is marked in the app. */
+const NEVER = ['not-begun', 'wrong-size'];
+
+test('every refusal of the kernel that marks on matched models can bring has words of its own', () => {
+  const refused = namedIn(['wasm/src/match'], /\bInvalidInput\("([a-z-]+)"/g);
+  expect(refused.length).toBeGreaterThan(8);
+  const silent = refused.filter((code) => !NEVER.includes(code) && !keys.includes(`match.problem.${code}`));
+  expect(silent).toEqual([]);
+});
+
 test('placeholders are filled, numbers in the notation of the language', () => {
   expect(t('toast.exported', { name: 'a.ply', vertices: 12345, reordered: 0 })).toBe(
     'a.ply written: 12,345 vertices, 0 reordered.',

@@ -223,6 +223,8 @@ export class FakeKernel implements KernelPort {
     },
     carryPlaces: ({ places }) => places,
     guessPlace: ({ place }) => place,
+    // By any angle the same edge.
+    sharpEdges: () => [Uint32Array.of(0, 1, 3)],
     measure: ({ positions }) => ({
       volumeRatio: 1,
       edgeRms: 0,

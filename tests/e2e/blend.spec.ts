@@ -237,6 +237,55 @@ test('a figure is made to measure, and exported', async ({ fresh: desk }) => {
   expect(gap(written, kept.positions)).toBeLessThan(1e-5);
 });
 
+test('a length is measured by two clicks, made straight, held, removed and undone', async ({
+  fresh: desk,
+}) => {
+  const { page } = desk;
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await enter(desk);
+  const { positions } = await blended(desk);
+  // The front of the figure, low and high.
+  const front = (share: number) => {
+    const height = heightOf(positions);
+    let [best, least] = [0, Infinity];
+    for (let v = 0; v < positions.length / 3; v++) {
+      const off = Math.abs(positions[3 * v + 1]! - share * height) - 0.5 * positions[3 * v + 2]!;
+      if (off < least) [best, least] = [v, off];
+    }
+    return best;
+  };
+  const [low, high] = [front(0.3), front(0.75)];
+  await page.keyboard.press('l');
+  const from = await desk.spot(low);
+  const to = await desk.spot(high);
+  await page.mouse.click(from.x, from.y);
+  await page.mouse.move(to.x, to.y);
+  await page.waitForTimeout(300);
+  await desk.picture('length-begun');
+  await page.mouse.click(to.x, to.y);
+  const measured = await blended(desk);
+  const [measure] = measured.step.measures;
+  expect(measure).toMatchObject({ kind: 'length', path: expect.arrayContaining([low, high]) });
+  const length = page.getByRole('textbox', { name: 'Length 1', exact: true });
+  await expect(length).toBeVisible();
+  const along = Number(await length.inputValue());
+  await page.getByRole('button', { name: 'Measure Length 1 straight through' }).click();
+  expect((await blended(desk)).step.measures).toEqual([{ kind: 'length', path: [low, high] }]);
+  expect(Number(await length.inputValue())).toBeLessThan(along);
+  await length.fill('0.5');
+  await length.press('Enter');
+  expect((await blended(desk)).step.measures[0]!.value).toBe(0.5);
+  await desk.picture('length-held');
+  await page.setViewportSize({ width: 860, height: 700 });
+  await page.waitForTimeout(400);
+  await desk.picture('length-small');
+  await page.setViewportSize({ width: 1440, height: 900 });
+  await page.getByRole('button', { name: 'Remove Length 1' }).click();
+  expect((await blended(desk)).step.measures).toEqual([]);
+  for (let undo = 0; undo < 3; undo++) await desk.press('Control+z');
+  expect((await blended(desk)).step.measures).toEqual([measure]);
+});
+
 test('without a match the workspace says what is missing, and leads there', async ({ desk }) => {
   const { page } = desk;
   await page.getByRole('navigation').getByRole('button', { name: 'Blend', exact: true }).click();

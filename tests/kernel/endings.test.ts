@@ -29,6 +29,7 @@ const ENDINGS: Readonly<Record<Method, Ending>> = {
   match: 'in slices', // 1 s, a pass over edges or a step that is guarded
   carryPlaces: 'with its worker', // 0.2 s
   guessPlace: 'with its worker', // 0.3 s
+  sharpEdges: 'with its worker',
   prepareBlend: 'in slices', // a part a slice
   blend: 'with its worker', // 0.1 s, of many measures 2 s
   prepareDress: 'in slices', // 2 s, the map of space

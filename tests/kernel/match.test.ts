@@ -87,6 +87,41 @@ describe('what cannot be matched', () => {
   });
 });
 
+describe('sharp edges', () => {
+  /** A drum of 24 sides. */
+  const drum = () => {
+    const positions: number[] = [];
+    const faces: number[][] = [];
+    for (let i = 0; i < 24; i++) {
+      const turn = (i * Math.PI) / 12;
+      positions.push(Math.cos(turn), 0, Math.sin(turn), Math.cos(turn), 1, Math.sin(turn));
+      faces.push([2 * i, 2 * i + 1, (2 * i + 3) % 48, (2 * i + 2) % 48]);
+    }
+    faces.push(Array.from({ length: 24 }, (_, i) => 2 * i));
+    faces.push(Array.from({ length: 24 }, (_, i) => 47 - 2 * i));
+    return {
+      positions: Float64Array.from(positions),
+      faceOffsets: Uint32Array.from(
+        [0, ...faces].map((_, i) => 4 * Math.min(i, 24) + 24 * Math.max(0, i - 24)),
+      ),
+      faceVertices: Uint32Array.from(faces.flat()),
+    };
+  };
+
+  test('are the rims of a drum by a large angle, with its sides by a small one', async () => {
+    const { id: model } = await kernel.call('openModel', drum());
+    const rims = await kernel.call('sharpEdges', { model, angle: 40 });
+    expect(rims.map((row) => [row.length, row[0] === row.at(-1)])).toEqual([
+      [25, true],
+      [25, true],
+    ]);
+    expect(new Set(rims[0]!.map((v) => v % 2)).size).toBe(1);
+    expect((await kernel.call('sharpEdges', { model, angle: 10 })).length).toBeGreaterThan(24);
+    expect(await kernel.call('sharpEdges', { model, angle: 120 })).toEqual([]);
+    await kernel.call('release', { id: model });
+  });
+});
+
 describe('places', () => {
   test('of one skin lie at the same weights on another', async () => {
     const { triangles, positions } = await matched([pear(), plum()]);

@@ -77,3 +77,35 @@ test('a free name is the first one that is free', () => {
   expect(edit.uniqueName('bend', ['bend', 'bend 2'])).toBe('bend 3');
   expect(edit.uniqueName('new', edit.takenNames(recipe))).toBe('new');
 });
+
+test('a model is changed before it is matched, and all that names it as matched follows', () => {
+  const matched = parseRecipe({
+    lissom: 1,
+    models: { ann: { file: 'ann.obj' }, bob: { file: 'bob.obj' }, coat: { file: 'coat.obj' } },
+    steps: [
+      { id: 'm', type: 'match', models: ['ann', 'bob'] },
+      {
+        id: 'b',
+        type: 'blend',
+        match: 'm',
+        weights: { ann: 0.25, bob: 0.75 },
+        parts: [{ from: 'bob', vertices: [1] }],
+      },
+      { id: 'c', type: 'dress', garment: 'coat', match: 'm', from: 'ann', to: 'bob' },
+      { id: 'd', type: 'deform', model: 'm/bob', roi: 'all', handles: [] },
+    ],
+    outputs: [{ step: 'm/bob', file: 'bob.obj' }],
+  });
+  const posed = edit.changedBefore(matched, 'm', newDeformStep('pose', 'bob'));
+  expect(parseRecipe(JSON.stringify(posed))).toEqual(posed);
+  expect(posed.steps.map(({ id }) => id)).toEqual(['pose', 'm', 'b', 'c', 'd']);
+  expect(posed.steps.slice(1)).toMatchObject([
+    { models: ['ann', 'pose'] },
+    { weights: { ann: 0.25, pose: 0.75 }, parts: [{ from: 'pose' }] },
+    { from: 'ann', to: 'pose' },
+    { model: 'm/pose' },
+  ]);
+  expect(posed.steps[2]).not.toHaveProperty('weights.bob');
+  expect(posed.outputs).toEqual([{ step: 'm/pose', file: 'bob.obj' }]);
+  expect(edit.changedBefore(matched, 'none', newDeformStep('pose', 'bob'))).toBe(matched);
+});

@@ -5,6 +5,7 @@ import type { Model } from '../../web/core/model';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { Runner } from '../../web/run/evaluate';
+import { carriedMorphs } from '../../web/run/steps/match/morphs';
 import { pear, plum } from '../kernel/balls';
 
 const SHAPES = { pear: pear(), plum: plum() };
@@ -14,6 +15,8 @@ const x = (vertex: number) => positions[3 * vertex]!;
 const y = (vertex: number) => positions[3 * vertex + 1]!;
 /** Red rises with x, blue with y. */
 const red = (at: number) => Math.round(127 + 100 * at);
+/** Of a morph that makes it larger about its middle. */
+const SWELL = 0.5;
 const upper = Uint32Array.from(Array.from({ length: count }, (_, v) => v).filter((v) => y(v) > 0));
 
 /** Texture by x and y on one half in z, the same beside it on the other: a seam where they meet. */
@@ -36,6 +39,7 @@ const MODELS: Record<string, Model> = {
     uvs,
     uvIndices: Uint32Array.from(faceVertices.keys()),
     vertexSets: { upper },
+    morphs: [{ name: 'swell', offsets: Float32Array.from(positions, (value) => SWELL * value) }],
     groups: [
       { name: 'first', start: 0, end: 200, material: 'wool' },
       { name: 'rest', start: 200, end: faceOffsets.length - 1 },
@@ -96,4 +100,72 @@ test('groups are runs of triangles again', () => {
   expect(groups![1]!.end).toBe(offsets.length - 1);
   expect(groups![0]!.end).toBe(groups![1]!.start);
   expect(skins.plum!.groups).toBe(groups);
+});
+
+test('morphs are read off for the first skin where it lies on its model', () => {
+  const skin = skins.pear!;
+  const [swell] = skin.morphs!;
+  expect(swell!.name).toBe('swell');
+  let [off, size] = [0, 0];
+  for (const [at, offset] of swell!.offsets.entries()) {
+    off += Math.abs(offset - SWELL * skin.positions[at]!);
+    size += Math.abs(SWELL * skin.positions[at]!);
+  }
+  expect(off / size).toBeLessThan(0.02);
+});
+
+test('carried to another shape they go the way that they went: what swells one swells the other', () => {
+  const other = skins.plum!;
+  const { offsets } = other.morphs![0]!;
+  let [outward, sizes] = [0, 0];
+  const rows = other.positions.length / 3;
+  for (let v = 0; v < rows; v++) {
+    const p = other.positions.subarray(3 * v, 3 * v + 3);
+    const o = offsets.subarray(3 * v, 3 * v + 3);
+    const along = [0, 1, 2].reduce((sum, axis) => sum + p[axis]! * o[axis]!, 0);
+    if (along > 0) outward++;
+    sizes += Math.hypot(...o) / Math.hypot(...p) / SWELL / rows;
+  }
+  expect(outward).toBe(rows);
+  // Across the surface a way grows with the root of the area, not with what is below it: by 0.88 where the plum is 1.4 times as wide.
+  expect(sizes).toBeGreaterThan(0.88 / 1.4);
+  expect(sizes).toBeLessThan(1.4 / 0.88);
+});
+
+test('carried to a skin that is turned, moved and scaled they are turned and scaled', () => {
+  const { positions: from, faceVertices: triangles } = skins.pear!;
+  const turn = (x: number, y: number, z: number) => [-3 * y, 3 * x, 3 * z];
+  const to = new Float64Array(from.length);
+  const offsets = Float32Array.from(from, (value, at) => Math.sin(7 * value + at));
+  const wanted = new Float32Array(from.length);
+  for (let at = 0; at < from.length; at += 3) {
+    to.set(
+      turn(from[at]!, from[at + 1]!, from[at + 2]!).map((value) => value + 5),
+      at,
+    );
+    wanted.set(turn(offsets[at]!, offsets[at + 1]!, offsets[at + 2]!), at);
+  }
+  const [carried] = carriedMorphs([{ name: 'any', offsets }], triangles, from, to);
+  const most = carried!.offsets.reduce(
+    (worst, value, at) => Math.max(worst, Math.abs(value - wanted[at]!)),
+    0,
+  );
+  expect(most).toBeLessThan(1e-5);
+  expect(carriedMorphs([], triangles, from, to)).toEqual([]);
+});
+
+test('a blend has the morphs of its skins by their weights', async () => {
+  const runner = new Runner({ kernel: await loadKernel(), models: { load: async (name) => MODELS[name]! } });
+  const markers = ends.map((vertex, at) => [vertex, SHAPES.plum.ends[at]!]);
+  const models = { pear: { builtin: 'pear' }, plum: { builtin: 'plum' } };
+  const match = { id: 'm', type: 'match', models: ['pear', 'plum'], markers, edgeLength: 0.3 };
+  const blend = { id: 'b', type: 'blend', match: 'm', weights: { pear: 0.25, plum: 0.75 } };
+  const results = await runner.run(parseRecipe({ lissom: 1, models, steps: [match, blend] }));
+  const { pear: a, plum: b } = results.get('m')!.models!;
+  const [swell] = results.get('b')!.model.morphs!;
+  for (const at of [0, 10, 50, 100])
+    expect(swell!.offsets[at]).toBeCloseTo(
+      0.25 * a!.morphs![0]!.offsets[at]! + 0.75 * b!.morphs![0]!.offsets[at]!,
+      5,
+    );
 });

@@ -4,6 +4,7 @@
 #include "lissom/match/match_session.h"
 #include "lissom/match/pairwise_match.h"
 #include "lissom/match/places.h"
+#include "lissom/match/sharp_curves.h"
 
 #include <emscripten/bind.h>
 
@@ -175,11 +176,27 @@ val guess_place(const std::shared_ptr<lissom::WorkingMesh>& from, const std::sha
     });
 }
 
+// sharpEdges(model, angle) → rows of source vertices; of a closed one the first stands last again
+val sharp_edges(const std::shared_ptr<lissom::WorkingMesh>& model, double angle) {
+    return guarded([&] {
+        val rows = val::array();
+        if (model->mesh.triangles.rows() == 0 || !(angle > 0)) return rows;
+        for (const lissom::EdgeCurve& curve : lissom::sharp_curves(model->mesh, {.angle = angle})) {
+            std::vector<int> row;
+            for (const int v : curve.vertices) row.push_back(model->source_of_working[v]);
+            if (curve.closed) row.push_back(row.front());
+            rows.call<void>("push", uint32_array(row.data(), row.size()));
+        }
+        return rows;
+    });
+}
+
 } // namespace
 
 EMSCRIPTEN_BINDINGS(match) {
     function("carryPlaces", &carry_places);
     function("guessPlace", &guess_place);
+    function("sharpEdges", &sharp_edges);
     class_<HeldMatch>("MatchSession")
         .constructor(&prepare, allow_raw_pointers())
         .function("step", &advance)

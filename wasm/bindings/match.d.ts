@@ -20,6 +20,7 @@ export interface MatchModule {
     toMarkers: Float64Array,
     place: Float64Array,
   ): Float64Array;
+  sharpEdges(model: WasmWorkingMesh, angle: number): Uint32Array[];
 }
 
 export interface WasmMatchSession extends WasmObject {

@@ -3,7 +3,7 @@
 
 import type { ReadonlySignal } from '@preact/signals';
 import type { Model } from '../core/model';
-import type { Recipe, WorkspaceId } from '../recipe/recipe';
+import type { Recipe, Step, WorkspaceId } from '../recipe/recipe';
 import type { ViewportPort } from '../view/types';
 import type { Commands } from './commands';
 import type { Panes } from './panes';
@@ -64,6 +64,8 @@ export interface WorkspaceService {
   enter(workspace: WorkspaceId): Promise<void>;
   /** Goes on with the open step's result: opens the last step of that kind that does, or starts one. */
   goOn(workspace: WorkspaceId): Promise<void>;
+  /** A step of that kind on a model, which does nothing yet and is not in the document. */
+  stepOn(workspace: WorkspaceId, model: string): Promise<Step | undefined>;
   /** What a new step starts from: the open step's result, or its model where it does nothing yet. */
   openModel(): string | undefined;
 }

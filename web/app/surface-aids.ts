@@ -3,6 +3,7 @@
 import type { ReadonlySignal } from '@preact/signals';
 import type { ModelResult } from '../run/types';
 import type { Brush, PaintScene } from '../tools/brush-stroke';
+import { EdgeGraph } from '../tools/edge-graph';
 import { MeshGraph } from '../tools/mesh-graph';
 import { Mirror } from '../tools/mirror';
 import type { State } from './state';
@@ -17,6 +18,7 @@ export class SurfaceAids {
   #of: ModelResult['opened'] | null = null;
   #graph: MeshGraph | undefined;
   #mirror: Mirror | undefined;
+  #edges: { readonly of: ModelResult['opened']; readonly graph: EdgeGraph } | undefined;
 
   /** @param mirroring  whether strokes are mirrored, asked at each */
   of({ model, opened }: ModelResult, mirroring: ReadonlySignal<boolean>): PaintScene {
@@ -34,5 +36,12 @@ export class SurfaceAids {
         return this.#mirror.both(vertices);
       },
     };
+  }
+
+  /** Edges at rest. */
+  edgesOf({ model, opened }: ModelResult): EdgeGraph {
+    if (this.#edges?.of !== opened)
+      this.#edges = { of: opened, graph: new EdgeGraph({ ...opened, positions: model.positions }) };
+    return this.#edges!.graph;
   }
 }

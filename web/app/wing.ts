@@ -78,6 +78,8 @@ export interface Wing {
   readonly strategy: Strategy<any>;
   /** Starts a step of its own, where the document has none. */
   start(): Promise<void>;
+  /** A step of its own on a model, that does nothing yet: where a wing lets a model be changed before it uses it. */
+  stepOn?(id: string, model: string): Step;
   /** Which of the document's steps of its own to open; the last one when left out. @returns `undefined`: none of them */
   last?(recipe: Recipe): string | undefined;
   /** Whether a step of its own does nothing yet: what follows starts from what came in. */

@@ -1,7 +1,8 @@
 // Going from one workspace to another: the last step of its kind is opened, or one is started.
 
-import { stepById } from '../recipe/edit';
-import { type Recipe, stepRow, type WorkspaceId } from '../recipe/recipe';
+import { stepById, takenNames } from '../recipe/edit';
+import { freeName } from '../recipe/names';
+import { type Recipe, type Step, stepRow, type WorkspaceId } from '../recipe/recipe';
 import { mainInput, producedNames } from '../recipe/references';
 import type { WingService, WorkspaceService } from './api';
 import type { Document } from './document';
@@ -38,6 +39,12 @@ export class Workspaces implements WorkspaceService {
     const wing = workspace === null ? undefined : wings().get(workspace);
     if (writes === 'strands' || wing?.isIdle?.(open)) return mainInput(open);
     return writes === 'mesh' ? open.id : (wing?.resultOf?.(open) ?? producedNames(open)[0]);
+  }
+
+  async stepOn(workspace: WorkspaceId, model: string): Promise<Step | undefined> {
+    const { document, wings } = this.parts;
+    const wing = await wings().load(workspace);
+    return wing.stepOn?.(freeName(workspace, takenNames(document.recipe)), model);
   }
 
   async goOn(workspace: WorkspaceId): Promise<void> {

@@ -9,6 +9,13 @@ export interface FaceGroup {
   readonly end: number;
 }
 
+/** A shape beside a model's own, told by how far each vertex goes: a raised brow, an open mouth. */
+export interface Morph {
+  readonly name: string;
+  /** 3 per vertex, as positions are. */
+  readonly offsets: Float32Array;
+}
+
 export interface Model {
   /** File name without folder, or the built-in's name. */
   readonly name: string;
@@ -29,6 +36,8 @@ export interface Model {
   readonly groups?: readonly FaceGroup[];
   /** Vertex sets the file brings along, by name (a head's `scalp`): ascending indices. */
   readonly vertexSets?: Readonly<Record<string, Uint32Array>>;
+  /** Shapes that it can take beside its own. */
+  readonly morphs?: readonly Morph[];
   /** What the format said about unit and axis; `undefined` where it says nothing. */
   readonly unitMetres?: number;
   readonly upAxis?: 'y' | 'z';

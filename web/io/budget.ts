@@ -80,9 +80,14 @@ export class Budget {
     this.#taken += bytes;
   }
 
+  /** Whether there is room for so much more: for what can be left out. */
+  holds(bytes: number): boolean {
+    return this.#taken + bytes <= this.#allowed;
+  }
+
   /** As `take`, for what is only about to be taken: so that a file is refused before half of it has been read. */
   expect(bytes: number): void {
-    if (this.#taken + bytes <= this.#allowed) return;
+    if (this.holds(bytes)) return;
     const message =
       `${this.file} has ${inBytes(this.size)} and unfolds to more than ${inBytes(this.#allowed)}, which is refused: it ` +
       'repeats what it holds too often. Export it again with every part written once, or in parts.';

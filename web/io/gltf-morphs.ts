@@ -1,4 +1,4 @@
-import type { Model } from '../core/model';
+import { type Model, withPositions } from '../core/model';
 import { F32 } from './gltf-accessors';
 import { ARRAY, buildGltf, type GltfAddition } from './gltf-build';
 import { packGltf } from './gltf-container';
@@ -6,14 +6,28 @@ import { vertexNormals } from './normals';
 
 /**
  * A model with others of the same vertices as its morph targets (Khronos glTF 2.0 specification, 3.7.2.2): a program that
- * opens it has a slider for each, called after its model. At rest all are 0.
+ * opens it has a slider for each, called after its model, and for each morph that the model has. At rest all are 0.
  *
  * @param others  each with as many vertices as `model`, in their own places
  */
 export function writeGltfMorphs(model: Model, others: readonly Model[], format: 'glb' | 'gltf'): Uint8Array {
-  const { json, binary } = buildGltf(model, additionOf(model, others));
+  const shapes = others.map((other) => ({ ...other, name: other.name.replace(/\.[^.]*$/, '') }));
+  const { json, binary } = buildGltf(model, additionOf(model, [...shapes, ...ownShapes(model)]));
   return packGltf(json, binary, format);
 }
+
+/** The morphs that a model has, as an addition to its document; `undefined`: none. */
+export const ownMorphs = (model: Model): GltfAddition | undefined =>
+  model.morphs?.length ? additionOf(model, ownShapes(model)) : undefined;
+
+const ownShapes = (model: Model): Model[] =>
+  (model.morphs ?? []).map(({ name, offsets }) => ({
+    ...withPositions(
+      model,
+      model.positions.map((x, at) => x + offsets[at]!),
+    ),
+    name,
+  }));
 
 const additionOf =
   (model: Model, others: readonly Model[]): GltfAddition =>
@@ -35,7 +49,7 @@ const additionOf =
     return {
       attributes: {},
       targets,
-      targetNames: others.map(({ name }) => name.replace(/\.[^.]*$/, '')),
+      targetNames: others.map(({ name }) => name),
       nodes: (mesh) => ({ nodes: [mesh], shown: [0] }),
       more: {},
     };

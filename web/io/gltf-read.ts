@@ -7,6 +7,7 @@ import { COMPONENTS, readAccessor, U8 } from './gltf-accessors';
 import { entry, type GltfDocument, openGlb, openGltf, refuseCompressed } from './gltf-document';
 import { type Placement, placements } from './gltf-scene';
 import type { GltfPrimitive } from './gltf-schema';
+import { morphsOf, readTargets, type Targets } from './gltf-targets';
 import { GrowingUint32 } from './growing';
 import { Notes } from './notes';
 import { NO_INDEX, type ReadResult } from './reading';
@@ -40,6 +41,7 @@ interface ReadPart {
   readonly uvs: Float64Array | undefined;
   readonly colors: { values: Float64Array; components: number } | undefined;
   readonly sets: ReadonlyMap<string, Float64Array>;
+  readonly targets: Targets | null;
 }
 
 const TRIANGLES = 4;
@@ -125,15 +127,14 @@ class GltfReader {
         this.notes.add('lines-left-out', 'Lines and single points were left out: only faces are used.');
         return;
       }
-      if (primitive.targets?.length)
-        this.notes.add('morph-targets', 'Morph targets are kept, but not shown.');
-      const { attributes } = primitive;
-      const key = JSON.stringify(
+      const { attributes, targets } = primitive;
+      const key = JSON.stringify([
         Object.entries(attributes)
           .filter(([a]) => isRead(a))
           .sort(),
-      );
-      const part = local.get(key) ?? this.#part(placement, attributes);
+        targets,
+      ]);
+      const part = local.get(key) ?? this.#part(placement, primitive, mesh.extras);
       local.set(key, part);
       part.primitives.push(index);
       const start = this.#faceVertices.length / 3;
@@ -176,6 +177,7 @@ class GltfReader {
       ...this.#colors(),
       ...this.#uvs(),
       ...this.#sets(),
+      ...morphsOf(this.#parts, this.#vertices),
       groups: this.#groups,
       unitMetres: 1,
       upAxis: 'y',
@@ -183,7 +185,8 @@ class GltfReader {
     };
   }
 
-  #part({ node, mesh, matrix }: Placement, attributes: GltfPrimitive['attributes']): GltfPart & ReadPart {
+  #part({ node, mesh, matrix }: Placement, primitive: GltfPrimitive, extras: unknown): GltfPart & ReadPart {
+    const { attributes } = primitive;
     const position = entry(this.document, this.document.json.accessors, attributes.POSITION!, 'accessor');
     // A compressed primitive's accessors state only types and counts.
     if (position.bufferView === undefined && !position.sparse)
@@ -217,6 +220,7 @@ class GltfReader {
       uvs: optional('TEXCOORD_0', ['VEC2']),
       colors: color && { values: color, components: color.length / count },
       sets,
+      targets: this.#targets(primitive, { names: namesIn(extras), count, matrix }),
     };
     this.#parts.push(part);
     this.#vertices += count;
@@ -231,6 +235,14 @@ class GltfReader {
     const count = values.length / COMPONENTS.get(type)!;
     this.budget.take(8 * count * components);
     return new Float64Array(count * components);
+  }
+
+  /** Told of, whether they come along or not. */
+  #targets(primitive: GltfPrimitive, of: Parameters<typeof readTargets>[2]): Targets | null {
+    if (!primitive.targets?.length) return null;
+    const read = readTargets(this.document, primitive, of, this.budget);
+    if (!read) this.notes.add('morph-targets', 'Morph targets are kept, but not read.');
+    return read;
   }
 
   #isSet(index: number, count: number): boolean {
@@ -312,6 +324,9 @@ const groupName = ({ extras }: GltfPrimitive): string | undefined => {
   const name = (extras as { name?: unknown } | null | undefined)?.name;
   return typeof name === 'string' ? name : undefined;
 };
+
+const namesIn = (extras: unknown): unknown =>
+  (extras as { targetNames?: unknown } | null | undefined)?.targetNames;
 
 const isRead = (attribute: string): boolean =>
   ['POSITION', 'NORMAL', 'TEXCOORD_0', 'COLOR_0'].includes(attribute) || attribute.startsWith('_');

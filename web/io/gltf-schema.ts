@@ -48,7 +48,12 @@ const primitive = v.looseObject({
 
 const name = v.exactOptional(v.string());
 
-const mesh = v.looseObject({ name, primitives: v.array(primitive) });
+const mesh = v.looseObject({
+  name,
+  primitives: v.array(primitive),
+  /** `targetNames`: of the morph targets. */
+  extras: v.exactOptional(v.unknown()),
+});
 
 const node = v.looseObject({
   name,

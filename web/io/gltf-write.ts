@@ -1,16 +1,17 @@
 import { faceCount, type Model } from '../core/model';
 import { buildGltf } from './gltf-build';
 import { packGltf } from './gltf-container';
+import { ownMorphs } from './gltf-morphs';
 import type { GltfExtra } from './gltf-read';
 import { rewriteGltf } from './gltf-rewrite';
 
 /**
  * glTF 2.0 as one file. What came from glTF and still has its triangles goes back into its own document: names,
- * transforms, materials, pictures, skins and animations stay. Anything else becomes a document with a single node.
+ * transforms, materials, pictures, skins and animations stay. Anything else becomes a document with a single node, its morphs as targets.
  */
 export function writeGltf(model: Model, format: 'glb' | 'gltf'): Uint8Array {
   const extra = ownDocument(model);
-  const { json, binary } = extra ? rewriteGltf(model, extra) : buildGltf(model);
+  const { json, binary } = extra ? rewriteGltf(model, extra) : buildGltf(model, ownMorphs(model));
   return packGltf(json, binary, format);
 }
 

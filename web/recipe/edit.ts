@@ -3,7 +3,7 @@
 
 import { produce } from 'immer';
 import { freeName } from './names';
-import type { ModelRef, Recipe, Step, StepOf, StepType } from './recipe';
+import { type ModelRef, type Recipe, type Step, type StepOf, type StepType, stepRow } from './recipe';
 import { mainInput, namesOf, outputName, producedNames, referencesOf } from './references';
 
 /** The first of `base`, `base 2`, `base 3` … that is not taken; for models, steps and handles alike. */
@@ -98,6 +98,53 @@ export function redirect(recipe: Recipe, from: string, to: string): Recipe {
     for (const [at, step] of recipe.steps.entries())
       for (const { path, name } of referencesOf(step)) if (name === from) place(draft.steps[at]!, path, to);
   });
+}
+
+/**
+ * Lets a new step that changes a model stand right before one that matches it with others, and its result be matched in the
+ * model's place; whatever named the model as one of those that are left names the result.
+ *
+ * @param set  id of the step that leaves several models, called after what it starts from
+ */
+export function changedBefore(recipe: Recipe, set: string, step: Step): Recipe {
+  const from = mainInput(step);
+  const maker = stepById(recipe, set);
+  if (!maker) return recipe;
+  const changes = (id: string) => {
+    const earlier = stepById(recipe, id);
+    return earlier && mainInput(earlier);
+  };
+  const before = producedNames(maker);
+  const changed = produce(recipe, (draft) => {
+    for (const [at, each] of recipe.steps.entries()) {
+      const held = draft.steps[at]!;
+      const references = referencesOf(each);
+      if (each.id === set)
+        for (const { path, name } of references) if (name === from) place(held, path, step.id);
+      if (references.some(({ name, several }) => several && name === set))
+        for (const { path, name } of stepRow(each.type).members?.(each, changes) ?? [])
+          if (name === from) renamed(held, path, from, step.id);
+    }
+    draft.steps.splice(recipe.steps.indexOf(maker), 0, step);
+  });
+  const after = producedNames(stepById(changed, set)!);
+  const at = before.findIndex((name, each) => name !== after[each]);
+  if (at < 0) return changed;
+  const [was, is] = [before[at]!, after[at]!];
+  const outputs = changed.outputs.map((output) => (output.step === was ? { ...output, step: is } : output));
+  return redirect({ ...changed, outputs }, was, is);
+}
+
+/** Puts another name where one is: as a value, or as the key of one. */
+function renamed(holder: object, path: readonly (string | number)[], from: string, to: string): void {
+  let held = holder as Record<string | number, unknown>;
+  for (const key of path.slice(0, -1)) held = held[key] as Record<string | number, unknown>;
+  const key = path.at(-1)!;
+  if (held[key] === from) held[key] = to;
+  else if (key === from) {
+    held[to] = held[key];
+    delete held[key];
+  }
 }
 
 function place(holder: object, path: readonly (string | number)[], value: string): void {

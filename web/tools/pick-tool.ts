@@ -5,7 +5,7 @@ import { clickSlop, distance, type Tool } from './tool';
 export interface PickHost {
   /** What is under the pointer; `null` where there is nothing. */
   at(sample: PointerSample): number | null;
-  pick(what: number): void;
+  pick(what: number, sample: PointerSample): void;
 }
 
 /** A click on something picks it; everywhere else the camera has the pointer. */
@@ -27,10 +27,10 @@ export class PickTool implements Tool {
     const pressed = this.#pressed;
     this.#pressed = null;
     if (pressed && distance(pressed.sample, sample) <= clickSlop(sample.pointerType))
-      this.host.pick(pressed.what);
+      this.host.pick(pressed.what, pressed.sample);
   }
 
-  hover(): void {}
+  hover(_: PointerSample): void {}
 
   leave(): void {}
 

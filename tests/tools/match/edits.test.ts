@@ -10,6 +10,7 @@ import {
   withoutMarker,
   withPlace,
   withRow,
+  withSharp,
 } from '../../../web/tools/match/edits';
 
 const EMPTY = newMatchStep('m', ['a', 'b']);
@@ -57,6 +58,23 @@ describe('lines and masks', () => {
     expect(masked.mask).toEqual([[], [3, 4]]);
     expect(withMask(masked, 1, [])).toEqual(EMPTY);
     expect(withMask(EMPTY, 0, 'all').mask).toEqual(['all', []]);
+  });
+});
+
+describe('picked edges', () => {
+  test('are put in, changed and left by number; without any the step says nothing of them', () => {
+    const one = withSharp(EMPTY, 1, 0, [3, 4, 5]);
+    expect(one.sharp).toEqual([[], [[3, 4, 5]]]);
+    const two = withSharp(withSharp(one, 1, 1, [7, 8]), 1, 0, [3, 4]);
+    expect(two.sharp).toEqual([
+      [],
+      [
+        [3, 4],
+        [7, 8],
+      ],
+    ]);
+    expect(withSharp(two, 1, 0, []).sharp).toEqual([[], [[7, 8]]]);
+    expect(withSharp(withSharp(two, 1, 0, []), 1, 0, [])).toEqual(EMPTY);
   });
 });
 

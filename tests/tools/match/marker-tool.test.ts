@@ -2,6 +2,7 @@
 
 import { describe, expect, test } from 'vitest';
 import { type MarkerPlace, type MatchStep, newMatchStep } from '../../../web/recipe/steps/match';
+import { EdgeGraph } from '../../../web/tools/edge-graph';
 import { CurveTool } from '../../../web/tools/match/curve-tool';
 import { withPlace } from '../../../web/tools/match/edits';
 import type { MarkVerb, MatchHost, MatchScene } from '../../../web/tools/match/host';
@@ -70,6 +71,14 @@ class Seat implements MatchHost {
       surface: SQUARE,
       marker,
       curve: null,
+      sharp: [],
+      sharpRow: null,
+      edges: () =>
+        new EdgeGraph({
+          ...SQUARE.opened,
+          positions: SQUARE.model.positions,
+          welded: Int32Array.of(0, 1, 2, 3),
+        }),
       ghost,
       ignored: new Uint32Array(),
       graph,
@@ -96,6 +105,7 @@ class Seat implements MatchHost {
   commitCurve(curve: number, row: MarkerPlace[]): void {
     this.log.push(['curve', curve, row.map((place) => pointOf(SQUARE, place)!.map(Math.round))]);
   }
+  commitSharp(): void {}
   commitMask(): void {}
   tooShort(): void {
     this.log.push('short');

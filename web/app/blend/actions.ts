@@ -30,11 +30,11 @@ export class BlendActions {
   readonly measuring: Measuring;
 
   constructor(
-    private readonly parts: Pick<WingParts, 'state' | 'document'>,
+    private readonly parts: Pick<WingParts, 'state' | 'document' | 'messages'>,
     private readonly own: BlendState,
   ) {
     this.edits = new BlendEdits(parts.document);
-    this.measuring = new Measuring(this.edits, own);
+    this.measuring = new Measuring(this.edits, own, parts.messages);
   }
 
   /** @throws LissomError `blend-no-match` where no models are matched */

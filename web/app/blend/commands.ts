@@ -5,7 +5,7 @@ import type { WingParts } from '../wing-parts';
 import type { BlendActions } from './actions';
 import type { BlendState } from './state';
 
-export const TOOLS = ['pick-part', 'paint-part', 'measure-girth'] as const;
+export const TOOLS = ['pick-part', 'paint-part', 'measure-girth', 'measure-length'] as const;
 
 type Context = Pick<WingParts, 'state' | 'document' | 'gestures' | 'workspaces'>;
 
@@ -20,7 +20,8 @@ export function blendCommands(context: Context, own: BlendState, blend: BlendAct
   return [
     tool('pick-part', 'mouse-pointer-2', ['V']),
     tool('paint-part', 'paintbrush', ['B']),
-    tool('measure-girth', 'ruler', ['T']),
+    tool('measure-girth', 'circle', ['T']),
+    tool('measure-length', 'ruler', ['L']),
     {
       id: 'blend.new-part',
       group,

@@ -1,10 +1,13 @@
 // Measures of the shape: where they are taken, and what is wanted of them.
 
-import type { BlendMeasure, BlendStep } from '../../recipe/steps/blend';
+import { type BlendMeasure, type BlendStep, MAX_MEASURED } from '../../recipe/steps/blend';
 import { addedMeasures, wanting, withMeasure, withoutMeasure } from '../../tools/blend/edits';
+import type { Length } from '../../tools/blend/host';
 import { Levels, PRESETS } from '../../tools/blend/levels';
 import type { Direction } from '../../tools/blend/section';
 import { t } from '../i18n';
+import { SurfaceAids } from '../surface-aids';
+import type { WingParts } from '../wing-parts';
 import type { BlendEdits } from './edits';
 import type { BlendState, Skins } from './state';
 
@@ -25,14 +28,18 @@ export interface MeasureRow {
   readonly range: readonly [number, number] | null;
   /** Whether it lies on a level that can be moved. */
   readonly moves: boolean;
+  /** Whether a length goes straight through; `null`: it is none. */
+  readonly straight: boolean | null;
 }
 
 export class Measuring {
+  readonly #aids = new SurfaceAids();
   #levels: { readonly of: Skins; readonly levels: Levels } | null = null;
 
   constructor(
     private readonly edits: BlendEdits,
     private readonly own: BlendState,
+    private readonly messages: WingParts['messages'],
   ) {}
 
   /** Reads signals. */
@@ -47,6 +54,7 @@ export class Measuring {
       value: measure.value ?? null,
       range: this.#range(index, measure.value),
       moves: measure.kind === 'girth' && measure.vertex !== undefined,
+      straight: measure.kind === 'length' ? measure.path.length === 2 : null,
     }));
   }
 
@@ -97,6 +105,38 @@ export class Measuring {
     if (!step || !levels) return;
     const girth: BlendMeasure = { kind: 'girth', vertex, normal: [...levels.up], hull: true };
     this.edits.commit(t('history.blend.measures'), addedMeasures(step, [girth]));
+  }
+
+  /** Between two vertices: along edges, or straight through. */
+  addLength(from: number, to: number, straight: boolean): void {
+    const { step } = this.edits;
+    this.own.length.value = null;
+    const path = this.pathOf({ from, to, straight });
+    if (!step || !path) {
+      if (step) this.messages.toast('info', t('blend.length-nowhere'));
+      return;
+    }
+    this.edits.commit(t('history.blend.measures'), addedMeasures(step, [{ kind: 'length', path }]));
+  }
+
+  /** Between its ends straight through, or along edges. */
+  straighten(index: number, straight: boolean): void {
+    const { step } = this.edits;
+    const measure = step?.measures[index];
+    if (!step || measure?.kind !== 'length') return;
+    const path = this.pathOf({ from: measure.path[0]!, to: measure.path.at(-1)!, straight });
+    if (!path) return;
+    const label = t('history.blend.move-measure', { name: this.nameOf(measure, index) });
+    // Another length has other values.
+    this.edits.commit(label, withMeasure(step, index, wanting({ ...measure, path }, undefined)));
+  }
+
+  /** Vertices along a length; `null`: no edges lead from one end to the other. */
+  pathOf({ from, to, straight }: Length): number[] | null {
+    if (straight) return [from, to];
+    const skins = this.own.skins.peek();
+    const path = skins && this.#aids.edgesOf(skins.skin).path(from, to, false);
+    return path && path.length > 1 && path.length <= MAX_MEASURED ? path : null;
   }
 
   /** @param by  1: up, −1: down */

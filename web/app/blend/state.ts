@@ -17,6 +17,12 @@ export interface Skins {
   readonly skin: ModelResult;
 }
 
+export interface LengthBegun {
+  readonly from: number;
+  readonly to: number | null;
+  readonly straight: boolean;
+}
+
 /** What came of the last blend. */
 export interface BlendFigures {
   /** By model: as given, or as the measures ask. */
@@ -41,6 +47,8 @@ export class BlendState implements Moving {
   readonly corners = signal<Three | null>(null);
   /** A weight that is moved leaves the others alone: they need not sum to 1. */
   readonly free = signal(false);
+  /** The length between two vertices that is under way; `to` is what the pointer is over. */
+  readonly length = signal<LengthBegun | null>(null);
   /** Whose shape the next part that is painted takes; `null`: that of the model that counts for least. */
   readonly nextFrom = signal<string | null>(null);
   /** Why it could not be blended. */

@@ -13,6 +13,8 @@ export function blendStatus(
   const step = own.step.value;
   const keys = { smaller: key('brush.smaller'), larger: key('brush.larger'), paint: key('tool.paint-part') };
   if (state.tool.value === 'measure-girth') return t('status.blend.girth');
+  if (state.tool.value === 'measure-length')
+    return t(own.length.value ? 'status.blend.length-end' : 'status.blend.length');
   if (state.tool.value !== 'paint-part') return t('status.blend.pick', keys);
   const { item } = state.selection.value;
   return item !== null && step?.parts[item]

@@ -49,6 +49,11 @@ export function create(parts: WingParts): BlendWing {
     status: (key) => blendStatus(state, own, key),
     selected: () => actions.selected(),
     mirrors: true,
+    escape: () => {
+      const begun = own.length.peek() !== null;
+      own.length.value = null;
+      return begun;
+    },
     mount: (viewport) => mountBlend(viewport, parts, own, actions),
   };
 }

@@ -1,5 +1,6 @@
 // The curves wing: curves drawn on a model bend it.
 
+import { newCurvesStep } from '../../recipe/steps/curves';
 import words from '../locales/en/curves.json';
 import type { Wing } from '../wing';
 import type { WingParts } from '../wing-parts';
@@ -35,6 +36,7 @@ export function create(parts: WingParts): CurvesWing {
     mirrors: true,
     exports: skinExport(parts),
     start: async () => startCurves(parts),
+    stepOn: newCurvesStep,
     isIdle: (step) => step.type === 'curves' && step.curves.length === 0,
     publish: (shown) => follow.publish(shown),
     status: (key) => curvesStatus(state, own, key),

@@ -1,6 +1,7 @@
 // The deform wing: handles bend a region of the model.
 
 import { toIndices } from '../../core/vertex-set';
+import { newDeformStep } from '../../recipe/steps/deform';
 import words from '../locales/en/deform.json';
 import type { Wing } from '../wing';
 import type { WingParts } from '../wing-parts';
@@ -34,6 +35,7 @@ export function create(parts: WingParts): DeformWing {
     strategy: deformStrategy(own),
     mirrors: true,
     start: async () => startDeform(parts),
+    stepOn: newDeformStep,
     last: (recipe) => lastDeform(recipe, state.step.peek()?.id),
     isIdle: (step) => step.type === 'deform' && step.handles.length === 0,
     opening: openingRecipe,

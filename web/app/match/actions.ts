@@ -4,7 +4,7 @@ import type { WingParts } from '../wing-parts';
 import { MatchEdits } from './edits';
 import { lacking } from './evaluation';
 import { Marking } from './marking';
-import { MatchModels } from './models';
+import { MatchModels, type PosedBy } from './models';
 import type { PoorPlace } from './result';
 import type { MatchState, PaneLook } from './state';
 
@@ -55,6 +55,11 @@ export class MatchActions {
     const label = t('history.match.settings');
     if (live) this.edits.preview(label, next);
     else this.edits.commit(label, next);
+  }
+
+  /** Leads to where a model is posed before it is matched. */
+  pose(model: number, by: PosedBy): void {
+    this.models.pose(model, by).catch((error: unknown) => this.parts.messages.failed(error));
   }
 
   look(model: number, look: PaneLook): void {

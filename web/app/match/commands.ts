@@ -6,7 +6,7 @@ import type { WingParts } from '../wing-parts';
 import type { MatchActions } from './actions';
 import { LOOKS, type MatchState } from './state';
 
-export const TOOLS = ['match-marker', 'match-turn', 'match-curve', 'match-mask'] as const;
+export const TOOLS = ['match-marker', 'match-turn', 'match-curve', 'match-sharp', 'match-mask'] as const;
 
 type Context = Pick<WingParts, 'state' | 'document' | 'gestures'>;
 
@@ -23,6 +23,7 @@ export function matchCommands(context: Context, own: MatchState, match: MatchAct
     tool('match-marker', 'map-pin', ['V']),
     tool('match-turn', 'mouse-pointer-2', ['H']),
     tool('match-curve', 'spline', ['C']),
+    tool('match-sharp', 'triangle-right', ['S']),
     tool('match-mask', 'paintbrush', ['B']),
     {
       id: 'match.run',

@@ -41,6 +41,9 @@ export class AppMatchHost implements MatchHost {
       marker: own.marker.peek(),
       curve: own.curve.peek(),
       ghost: own.ghosts.peek().find(({ model }) => model === this.at)?.spot ?? null,
+      sharp: step.sharp?.[this.at] ?? [],
+      sharpRow: own.sharp.peek()?.model === this.at ? own.sharp.peek()!.row : null,
+      edges: () => this.#aids.edgesOf(surface),
       ignored: listed(step.mask?.[this.at] ?? [], surface.model.positions.length / 3),
       ...this.#aids.of(surface, state.mirror),
     };
@@ -72,6 +75,10 @@ export class AppMatchHost implements MatchHost {
 
   commitCurve(curve: number, row: MarkerPlace[]): void {
     this.parts.actions.marking.setCurve(curve, this.at, row);
+  }
+
+  commitSharp(row: number, vertices: readonly number[]): void {
+    this.parts.actions.marking.setSharp(this.at, row, vertices);
   }
 
   commitMask(verb: PaintVerb, vertices: Uint32Array): void {

@@ -5,7 +5,15 @@ import { fromIndices } from '../../core/vertex-set';
 import type { MatchStep } from '../../recipe/recipe';
 import { isDrawn, isWhole, MAX_MARKER_CURVES, MAX_MARKERS, type MarkerPlace } from '../../recipe/steps/match';
 import { gap } from '../../tools/geometry';
-import { missing, withMask, withoutCurve, withoutMarker, withPlace, withRow } from '../../tools/match/edits';
+import {
+  missing,
+  withMask,
+  withoutCurve,
+  withoutMarker,
+  withPlace,
+  withRow,
+  withSharp,
+} from '../../tools/match/edits';
 import type { MarkVerb } from '../../tools/match/host';
 import { nearestSpot, pointOf, type Spot } from '../../tools/match/places';
 import type { PaintVerb } from '../../tools/paint-tool';
@@ -13,7 +21,7 @@ import type { Vec3 } from '../../view/types';
 import { t } from '../i18n';
 import type { WingParts } from '../wing-parts';
 import type { MatchEdits } from './edits';
-import { curveItem, type MatchState } from './state';
+import { curveItem, curveOf, type MatchState, sharpItem, sharpOf } from './state';
 
 /** Shares of a model's size: what lies nearer to the plane of symmetry is its own mirror image; images may be so far off. */
 const ON_PLANE = 0.008;
@@ -79,9 +87,11 @@ export class Marking {
   remove(item: number): void {
     const { step } = this.edits;
     if (!step) return;
-    if (item < MAX_MARKERS)
-      this.edits.commit(t('history.match.remove', { number: item + 1 }), withoutMarker(step, item), null);
-    else this.edits.commit(t('history.match.remove-curve'), withoutCurve(step, item - MAX_MARKERS), null);
+    const [curve, sharp] = [curveOf(item), sharpOf(item)];
+    if (sharp) this.setSharp(sharp.model, sharp.row, []);
+    else if (curve !== null)
+      this.edits.commit(t('history.match.remove-curve'), withoutCurve(step, curve), null);
+    else this.edits.commit(t('history.match.remove', { number: item + 1 }), withoutMarker(step, item), null);
   }
 
   removeAll(): void {
@@ -96,6 +106,22 @@ export class Marking {
       t('history.match.curve', { number: curve + 1 }),
       withRow(step, curve, model, row),
       curveItem(curve),
+    );
+  }
+
+  /** Keeps an edge of a model sharp; without any vertices leaves it. */
+  setSharp(model: number, row: number, vertices: readonly number[]): void {
+    const { step } = this.edits;
+    if (!step) return;
+    if (row >= MAX_MARKER_CURVES) {
+      this.parts.messages.toast('warn', t('match.too-many-edges', { count: MAX_MARKER_CURVES }));
+      return;
+    }
+    const gone = vertices.length < 2;
+    this.edits.commit(
+      t(gone ? 'history.match.remove-sharp' : 'history.match.sharp'),
+      withSharp(step, model, row, vertices),
+      gone ? null : sharpItem({ model, row }),
     );
   }
 

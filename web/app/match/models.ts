@@ -1,6 +1,7 @@
 // Which models are matched, and in what order. One that is asked for has done nothing to the recipe until it is chosen.
 
 import { LissomError } from '../../core/errors';
+import { crossCheck } from '../../recipe/cross-checks';
 import * as edit from '../../recipe/edit';
 import { type MatchStep, type ModelRef, type Recipe, stepRow } from '../../recipe/recipe';
 import { producedNames } from '../../recipe/references';
@@ -17,13 +18,17 @@ type Asking =
   | { readonly kind: 'add'; readonly step: string }
   | { readonly kind: 'replace'; readonly step: string; readonly model: number };
 
+/** By handles, or by curves along its limbs. */
+export const POSED_BY = ['deform', 'curves'] as const;
+export type PosedBy = (typeof POSED_BY)[number];
+
 export class MatchModels {
   #asking: Asking | null = null;
 
   constructor(
     private readonly edits: MatchEdits,
     private readonly own: MatchState,
-    private readonly parts: Pick<WingParts, 'state' | 'document' | 'runner' | 'workspaces'>,
+    private readonly parts: Pick<WingParts, 'state' | 'document' | 'runner' | 'workspaces' | 'messages'>,
   ) {}
 
   /** Asks for the model to match another with. @throws LissomError `no-model` */
@@ -84,6 +89,34 @@ export class MatchModels {
     if (!step || model === 0) return;
     const order = [model, ...step.models.map((_, at) => at).filter((at) => at !== model)];
     this.#commit(t('history.match.source', { name: step.models[model]! }), step, order);
+  }
+
+  /**
+   * Leads to where a model is given another pose; what comes of it is matched in its place. Where it has been posed already, that pose
+   * is opened.
+   */
+  async pose(model: number, by: PosedBy): Promise<void> {
+    const { document, messages, workspaces } = this.parts;
+    const { step } = this.edits;
+    const name = step?.models[model];
+    if (!step || name === undefined) return;
+    const held = edit.stepOf(document.recipe, name, by);
+    if (held) {
+      document.openStep(held.id);
+      return;
+    }
+    const before = document.recipe;
+    const posing = await workspaces.stepOn(by, name);
+    if (!posing || document.recipe !== before) return;
+    const recipe = edit.changedBefore(before, step.id, posing);
+    try {
+      crossCheck(recipe);
+    } catch {
+      messages.toast('warn', t('match.pose-held', { name }));
+      return;
+    }
+    this.own.hold(step.id);
+    document.commit(t('history.match.pose', { name }), recipe, { step: posing.id, item: null });
   }
 
   #ask(asking: Asking): void {

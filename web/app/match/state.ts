@@ -4,7 +4,7 @@ import { computed, type ReadonlySignal, signal } from '@preact/signals';
 import type { GrowingSkins } from '../../kernel/contract/match';
 import { stepOf } from '../../recipe/edit';
 import type { MatchStep } from '../../recipe/recipe';
-import { MAX_MARKERS } from '../../recipe/steps/match';
+import { MAX_MARKER_CURVES, MAX_MARKERS } from '../../recipe/steps/match';
 import type { ModelResult } from '../../run/types';
 import type { Spot } from '../../tools/match/places';
 import type { Line } from '../../tools/stroke/polyline';
@@ -31,8 +31,27 @@ export interface Stroke {
   readonly line?: Line;
 }
 
-/** Items of the step by one number, as selections have them: markers, then curves. */
+/** Items of the step by one number, as selections have them: markers, then curves, then picked edges of each model. */
 export const curveItem = (curve: number): number => MAX_MARKERS + curve;
+const FIRST_EDGE = MAX_MARKERS + MAX_MARKER_CURVES;
+export const sharpItem = ({ model, row }: SharpRow): number => FIRST_EDGE + model * MAX_MARKER_CURVES + row;
+
+/** A picked sharp edge: of which model, and its number there. */
+export interface SharpRow {
+  readonly model: number;
+  readonly row: number;
+}
+
+export const curveOf = (item: number): number | null =>
+  item >= MAX_MARKERS && item < FIRST_EDGE ? item - MAX_MARKERS : null;
+
+export const sharpOf = (item: number): SharpRow | null =>
+  item < FIRST_EDGE
+    ? null
+    : {
+        model: Math.floor((item - FIRST_EDGE) / MAX_MARKER_CURVES),
+        row: (item - FIRST_EDGE) % MAX_MARKER_CURVES,
+      };
 
 interface Parts {
   readonly state: Pick<State, 'recipe' | 'selection' | 'choosing' | 'opened'>;
@@ -45,6 +64,8 @@ export class MatchState {
   /** Number of the selected marker, of the selected curve. */
   readonly marker: ReadonlySignal<number | null>;
   readonly curve: ReadonlySignal<number | null>;
+  /** The selected one of the edges that were picked. */
+  readonly sharp: ReadonlySignal<SharpRow | null>;
   /** The first model of a step that is about to be started. */
   readonly first = signal<ModelResult | null>(null);
   /** The models of the open step, in its order; while one of them is not there yet: none. */
@@ -64,6 +85,8 @@ export class MatchState {
   readonly heat = signal(false);
   readonly edges = signal(true);
   readonly ghosts = signal<readonly Ghost[]>([]);
+  /** Of each model: the sharp edges that the angle keeps, as rows of vertices. */
+  readonly kept = signal<readonly (readonly Uint32Array[])[]>([]);
   readonly stroke = signal<Stroke | null>(null);
   /** Number of the skin that other workspaces go on with. */
   readonly chosen = signal(0);
@@ -79,9 +102,8 @@ export class MatchState {
     this.step = computed(() => stepOf(state.recipe.value, state.selection.value.step, 'match'));
     const item = computed(() => (this.step.value ? state.selection.value.item : null));
     this.marker = computed(() => (item.value !== null && item.value < MAX_MARKERS ? item.value : null));
-    this.curve = computed(() =>
-      item.value !== null && item.value >= MAX_MARKERS ? item.value - MAX_MARKERS : null,
-    );
+    this.curve = computed(() => (item.value === null ? null : curveOf(item.value)));
+    this.sharp = computed(() => (item.value === null ? null : sharpOf(item.value)));
     // The same models are the same list, however often they are matched.
     let last: readonly ModelResult[] = [];
     this.models = computed(() => {

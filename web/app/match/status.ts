@@ -17,6 +17,7 @@ export function matchStatus(
   if (tool === 'match-turn') return t('status.match.turn', { marker: key('tool.match-marker') });
   const brush = { smaller: key('brush.smaller'), larger: key('brush.larger') };
   if (tool === 'match-mask') return t('status.match.mask', brush);
+  if (tool === 'match-sharp') return t('status.match.sharp', { remove: key('match.remove') });
   const at = actions.marking.nextModel();
   const name = at === null ? '' : (own.step.value?.models[at] ?? '');
   if (tool === 'match-curve')

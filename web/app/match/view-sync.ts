@@ -8,6 +8,7 @@ import { CurveTool } from '../../tools/match/curve-tool';
 import { MarkerTool } from '../../tools/match/marker-tool';
 import { maskTool } from '../../tools/match/mask-tool';
 import { pointOf } from '../../tools/match/places';
+import { SharpTool } from '../../tools/match/sharp-tool';
 import type { Tool } from '../../tools/tool';
 import { SKIN } from '../../view/match/skin-layer';
 import type { Skin } from '../../view/match/types';
@@ -165,6 +166,7 @@ function syncModel(
       'match-marker': new MarkerTool(host, true),
       'match-turn': new MarkerTool(host, false),
       'match-curve': new CurveTool(host),
+      'match-sharp': new SharpTool(host),
       'match-mask': maskTool(host),
     },
     cancel: () => false,
@@ -216,20 +218,28 @@ function linesOf(own: MatchState, at: number, choosing: boolean): ControlLine[] 
   const step = own.step.value;
   if (!shown || !step || choosing) return [];
   const selected = own.curve.value;
-  const line = (id: string, points: readonly Vec3[], isSelected: boolean): ControlLine => ({
-    id,
-    points,
-    tint: isSelected ? 'cyan' : 'yellow',
-    selected: isSelected,
-    plain: true,
-  });
+  const line = (
+    id: string,
+    points: readonly Vec3[],
+    isSelected: boolean,
+    tint: ControlLine['tint'] = isSelected ? 'cyan' : 'yellow',
+  ): ControlLine => ({ id, points, tint, selected: isSelected, plain: true });
   const drawn = (step.curves ?? []).flatMap((rows, curve): ControlLine[] => {
     const points = (rows[at] ?? []).map((place) => pointOf(shown, place)).filter((point) => point !== null);
     return points.length > 1 ? [line(String(curve), points, curve === selected)] : [];
   });
+  const { positions } = shown.model;
+  const row = (vertices: ArrayLike<number>) => Array.from(vertices, (v) => pointAt(positions, v));
+  // What an angle keeps lies below what was picked.
+  const kept = (own.kept.value[at] ?? []).map((each, i) => line(`kept ${i}`, row(each), false, 'blue'));
+  const chosen = own.sharp.value;
+  const picked = (step.sharp?.[at] ?? [])
+    .filter((each) => each.every((v) => 3 * v < positions.length))
+    .map((each, i) => line(`sharp ${i}`, row(each), chosen?.model === at && chosen.row === i, 'coral'));
+  const lines = [...kept, ...picked, ...drawn];
   const stroke = own.stroke.value;
   const under = stroke?.model === at ? (stroke.line ?? []) : [];
-  return under.length > 1 ? [...drawn, line('stroke', under, true)] : drawn;
+  return under.length > 1 ? [...lines, line('stroke', under, true)] : lines;
 }
 
 /** Of the model's size: how far off a poor place is looked at. */

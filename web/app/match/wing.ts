@@ -10,6 +10,7 @@ import { matchCommands, TOOLS } from './commands';
 import { matchStrategy, publishMatch } from './evaluation';
 import { skinsExport } from './exports';
 import { followGhosts } from './ghosts';
+import { followKept } from './kept';
 import { MatchState } from './state';
 import { matchStatus } from './status';
 import { mountMatch } from './view-sync';
@@ -25,7 +26,7 @@ export function create(parts: WingParts): MatchWing {
   const { state } = parts;
   const own = new MatchState(parts);
   const actions = new MatchActions(parts, own);
-  const stop = followGhosts(own, parts);
+  const stops = [followGhosts(own, parts), followKept(own, parts)];
   return {
     state: own,
     actions,
@@ -55,7 +56,9 @@ export function create(parts: WingParts): MatchWing {
         viewport.fit();
     },
     mount: (viewport) => mountMatch(viewport, parts, own, actions),
-    dispose: stop,
+    dispose: () => {
+      for (const stop of stops) stop();
+    },
   };
 }
 

@@ -105,4 +105,11 @@ export interface MatchKernel {
     toMarkers: Float64Array;
     place: Float64Array;
   }): Float64Array;
+
+  /**
+   * The sharp edges of a model that a match keeps, chained into curves between corners.
+   * @param angle  degrees; none are sharper than 180
+   * @returns source vertices along each; of a closed one the first stands last again
+   */
+  sharpEdges(args: { model: KernelId; angle: number }): readonly Uint32Array[];
 }

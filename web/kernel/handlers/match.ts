@@ -31,5 +31,7 @@ export function matchHandlers(wasm: KernelModule, registry: Registry): HandlersO
         toMarkers,
         place,
       ),
+
+    sharpEdges: ({ model, angle }) => wasm.sharpEdges(registry.get(model, wasm.WorkingMesh), angle),
   };
 }

@@ -51,7 +51,7 @@ export const blendRunner = {
   }),
 
   async run(step, context): Promise<StepOutcome<BlendFigures>> {
-    const { names, weights, skin } = given(step, context);
+    const { names, weights, skin, skins } = given(step, context);
     const prepared = await prepareBlend(step, context);
     const blended = await context.kernel.call(
       'blend',
@@ -61,7 +61,10 @@ export const blendRunner = {
     const sum = weights.reduce((all, each) => all + each, 0);
     const loose = !step.measures.some(isWanted) && Math.abs(sum - 1) > WHOLE;
     return {
-      model: withPositions(skin.model, blended.positions),
+      model: {
+        ...withPositions(skin.model, blended.positions),
+        ...blendedMorphs(skins, names, blended.weights),
+      },
       figures: {
         weights: Object.fromEntries(names.map((name, at) => [name, blended.weights[at]!])),
         measures: step.measures.map((measure, at) => reachedOf(measure, blended, at)),
@@ -99,6 +102,25 @@ function given(step: BlendStep, { inputs, origins }: StepContext) {
   const skins: Readonly<Record<string, Model>> = origins[0]!.models!;
   const names = Object.keys(skins);
   return { skin, skins, names, weights: Float64Array.from(names, (name) => step.weights[name] ?? 0) };
+}
+
+/** Σ weight · morph: the skins of a match have the same ones. */
+function blendedMorphs(
+  skins: Readonly<Record<string, Model>>,
+  names: readonly string[],
+  weights: Float64Array,
+): Pick<Model, 'morphs'> {
+  const first = skins[names[0]!]!.morphs;
+  if (!first) return {};
+  const morphs = first.map(({ name, offsets }, number) => {
+    const sum = new Float32Array(offsets.length);
+    for (const [k, skin] of names.entries()) {
+      const own = skins[skin]!.morphs![number]!.offsets;
+      for (let at = 0; at < sum.length; at++) sum[at]! += weights[k]! * own[at]!;
+    }
+    return { name, offsets: sum };
+  });
+  return { morphs };
 }
 
 function prepareBlend(step: BlendStep, context: StepContext) {

@@ -1,13 +1,14 @@
 // The match step: skins of one connectivity over several models (Skins).
 
 import { type Finding, LissomError } from '../../core/errors';
-import { type Model, vertexCount } from '../../core/model';
+import { type Model, type Morph, vertexCount } from '../../core/model';
 import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
 import type { Matched, SkinFigures } from '../../kernel/contract/match';
 import { isDrawn, isWhole, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { askedPoints, hasAttributes, readAttributes, type SkinAttributes } from './match/attributes';
+import { carriedMorphs, readMorphs } from './match/morphs';
 import { placePoints } from './match/places';
 import { matchQuestions } from './match/questions';
 import {
@@ -102,10 +103,14 @@ export const matchRunner = {
       { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, together, start } },
       { ...signalOf(context), onProgress, ...(onLook && { onLook }) },
     );
-    const { triangles, attributes } = await carriedFrom(inputs[0]!, matched, context);
+    const { triangles, attributes, morphs } = await carriedFrom(inputs[0]!, matched, context);
+    const [source] = matched.positions;
+    const morphsAt = (at: number) =>
+      at === 0 ? morphs : carriedMorphs(morphs, triangles, source!, matched.positions[at]!);
     const skins = step.models.map((name, at) => ({
       ...skinOf(name, triangles, matched.positions[at]!),
       ...attributes,
+      ...(morphs.length > 0 && { morphs: morphsAt(at) }),
     }));
     const byName = <T>(value: (at: number) => T): Record<string, T> =>
       Object.fromEntries(step.models.map((name, at) => [name, value(at)]));
@@ -174,17 +179,24 @@ async function carriedFrom(
   source: ModelResult,
   { triangles, positions }: Matched,
   context: StepContext,
-): Promise<{ readonly triangles: Uint32Array; readonly attributes: SkinAttributes }> {
-  if (!hasAttributes(source.model)) return { triangles, attributes: {} };
+): Promise<{
+  readonly triangles: Uint32Array;
+  readonly attributes: SkinAttributes;
+  /** Of the first skin. */
+  readonly morphs: readonly Morph[];
+}> {
+  if (!hasAttributes(source.model)) return { triangles, attributes: {}, morphs: [] };
   const asked = askedPoints(positions[0]!, triangles);
   const places = (points: Float64Array) =>
     context.kernel.call('placesOn', { model: source.opened.id, points }, signalOf(context));
+  const vertices = await places(asked.vertices);
   const { attributes, order } = readAttributes(source, asked, {
-    vertices: await places(asked.vertices),
+    vertices,
     corners: await places(asked.corners),
     middles: await places(asked.middles),
   });
-  return { triangles: order ? inOrder(triangles, order) : triangles, attributes };
+  const morphs = readMorphs(source, vertices);
+  return { triangles: order ? inOrder(triangles, order) : triangles, attributes, morphs };
 }
 
 const inOrder = (triangles: Uint32Array, order: Uint32Array): Uint32Array =>

@@ -12,6 +12,13 @@ export interface BlendScene extends PaintScene {
   readonly selected: number | null;
 }
 
+/** A length between two vertices: along edges, or straight through. */
+export interface Length {
+  readonly from: number;
+  readonly to: number;
+  readonly straight: boolean;
+}
+
 /** What the tools need of the app. Tests use doubles. */
 export interface BlendHost extends PaintHost {
   /** `null` while there is no skin. */
@@ -22,4 +29,10 @@ export interface BlendHost extends PaintHost {
   pick(part: number | null): void;
   /** The girth around the skin at a vertex is to be measured. */
   measure(vertex: number): void;
+  /** The vertex where the length under way begins; `null`: none is begun. */
+  lengthFrom(): number | null;
+  beginLength(vertex: number): void;
+  /** Shows what would be measured. */
+  showLength(length: Length | null): void;
+  measureLength(from: number, to: number, straight: boolean): void;
 }

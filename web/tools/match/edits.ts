@@ -39,6 +39,22 @@ export const withoutCurve = (step: MatchStep, curve: number): MatchStep =>
     (step.curves ?? []).filter((_, at) => at !== curve),
   );
 
+/** The step with a picked edge along these vertices of a model; without any it is gone. */
+export function withSharp(
+  step: MatchStep,
+  model: number,
+  row: number,
+  vertices: readonly number[],
+): MatchStep {
+  const held = step.sharp?.[model] ?? [];
+  const next = held.map((each, at) => (at === row ? [...vertices] : each));
+  if (row >= held.length) next.push([...vertices]);
+  const kept = next.filter(({ length }) => length > 1);
+  const sharp = step.models.map((_, at) => (at === model ? kept : (step.sharp?.[at] ?? [])));
+  const { sharp: _, ...bare } = step;
+  return sharp.every(({ length }) => length === 0) ? bare : { ...bare, sharp };
+}
+
 export function withMask(
   step: MatchStep,
   model: number,

@@ -1,6 +1,7 @@
 import type { MarkerPlace, MatchStep } from '../../recipe/steps/match';
 import type { Vec3, ViewportPort } from '../../view/types';
 import type { PaintHost, PaintScene } from '../brush-stroke';
+import type { EdgeGraph } from '../edge-graph';
 import type { PaintVerb } from '../paint-tool';
 import type { Line } from '../stroke/polyline';
 import type { Spot, Surface } from './places';
@@ -15,6 +16,11 @@ export interface MatchScene extends PaintScene {
   /** Number of the selected marker, of the selected curve. */
   readonly marker: number | null;
   readonly curve: number | null;
+  /** Rows of vertices along the model's picked edges, and the number of the selected one. */
+  readonly sharp: readonly (readonly number[])[];
+  readonly sharpRow: number | null;
+  /** Its edges, worked out when they are first asked for. */
+  edges(): EdgeGraph;
   /** Where the selected marker may belong on this model. */
   readonly ghost: Spot | null;
   /** Vertices of the model that are ignored. */
@@ -38,6 +44,8 @@ export interface MatchHost extends PaintHost {
   /** Shows a line under way; `null` ends it. */
   showLine(line: Line | null): void;
   commitCurve(curve: number, row: MarkerPlace[]): void;
+  /** @param row  number of a picked edge, or of a new one. @param vertices  along it; none: it is left */
+  commitSharp(row: number, vertices: readonly number[]): void;
   commitMask(verb: PaintVerb, vertices: Uint32Array): void;
   /** A line is too short to be one. */
   tooShort(): void;

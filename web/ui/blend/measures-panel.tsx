@@ -25,6 +25,7 @@ export function MeasuresPanel() {
         <>
           <CommandButton command="blend.height" iconOnly />
           <CommandButton command="tool.measure-girth" iconOnly />
+          <CommandButton command="tool.measure-length" iconOnly />
         </>
       }
     >
@@ -43,7 +44,7 @@ export function MeasuresPanel() {
   );
 }
 
-function Row({ row: { index, name, reached, value, range, moves } }: { row: MeasureRow }) {
+function Row({ row: { index, name, reached, value, range, moves, straight } }: { row: MeasureRow }) {
   const { measuring, edits } = useBlend().actions;
   const shown = value ?? reached;
   const missed = value !== null && reached !== null && Math.abs(reached - value) > MISSED * Math.abs(value);
@@ -61,6 +62,15 @@ function Row({ row: { index, name, reached, value, range, moves } }: { row: Meas
           {reached === null ? '' : formatNumber(Number(reached.toPrecision(4)))}
           {missed && <span class="warn">{t('ui.blend.measure.missed', { value })}</span>}
         </span>
+        {straight !== null && (
+          <Button
+            icon="slash"
+            iconOnly
+            pressed={straight}
+            label={t('ui.blend.measure.straight', { name })}
+            onClick={() => measuring.straighten(index, !straight)}
+          />
+        )}
         {moves && (
           <>
             <Button

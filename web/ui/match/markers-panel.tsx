@@ -1,6 +1,6 @@
 import { t } from '../../app/i18n';
 import { lacking } from '../../app/match/evaluation';
-import { curveItem } from '../../app/match/state';
+import { curveItem, type SharpRow, sharpItem } from '../../app/match/state';
 import { isEmpty } from '../../core/vertex-set';
 import { missing } from '../../tools/match/edits';
 import { useApp } from '../context';
@@ -34,6 +34,7 @@ export function MarkersPanel() {
           ))}
         </ul>
       )}
+      <SharpRows />
       <Masks />
       {lacks > 0 && <p class="muted">{t('ui.match.hint.count', { count: lacks })}</p>}
       <Run />
@@ -100,6 +101,37 @@ function CurveRow({ curve }: { curve: number }) {
       name={t('ui.match.curve', { number: curve + 1 })}
       open={open}
       note={open ? t('ui.match.curve.rest', { count: drawn, all: rows.length }) : ''}
+    />
+  );
+}
+
+/** Edges that were picked to stay sharp, model by model. */
+function SharpRows() {
+  const step = useMatch().state.step.value;
+  const rows = (step?.sharp ?? []).flatMap((held, model) => held.map((_, row) => ({ model, row })));
+  if (!step || rows.length === 0) return null;
+  return (
+    <ul class="list match-markers" aria-label={t('ui.match.edges')}>
+      {rows.map((each) => (
+        <SharpItem key={sharpItem(each)} {...each} />
+      ))}
+    </ul>
+  );
+}
+
+function SharpItem({ model, row }: SharpRow) {
+  const { state: own } = useMatch();
+  const step = own.step.value!;
+  const vertices = step.sharp?.[model]?.[row] ?? [];
+  const count = (own.models.value[model]?.model.positions.length ?? Number.POSITIVE_INFINITY) / 3;
+  const lost = vertices.some((v) => v >= count);
+  return (
+    <ItemRow
+      item={sharpItem({ model, row })}
+      number="∠"
+      name={t('ui.match.edge', { number: row + 1 })}
+      open={lost}
+      note={lost ? t('ui.match.marker.lost') : step.models[model]!}
     />
   );
 }

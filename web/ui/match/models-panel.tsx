@@ -1,4 +1,6 @@
 import { formatNumber, t } from '../../app/i18n';
+import { POSED_BY } from '../../app/match/models';
+import { wings } from '../../app/wings';
 import { vertexCount } from '../../core/model';
 import { useApp } from '../context';
 import { Button } from '../controls/button';
@@ -57,6 +59,15 @@ function Row({ name, at }: { name: string; at: number }) {
             label={t('ui.match.model.replace')}
             onClick={() => match.models.replace(at)}
           />
+          {POSED_BY.map((by) => (
+            <Button
+              key={by}
+              role="menuitem"
+              icon={wings[by].icon}
+              label={t(`ui.match.pose.${by}`)}
+              onClick={() => match.pose(at, by)}
+            />
+          ))}
           <Button
             role="menuitem"
             icon="x"

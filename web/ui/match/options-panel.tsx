@@ -1,5 +1,6 @@
 import { t } from '../../app/i18n';
 import type { MatchStep } from '../../recipe/recipe';
+import { CommandButton } from '../controls/command-button';
 import { NumberField, SelectField, SliderField, Switch } from '../controls/fields';
 import { Section } from '../controls/section';
 import { useMatch } from './use-match';
@@ -61,6 +62,26 @@ export function OptionsPanel() {
   );
 }
 
+/** How many edges the angle finds on each model, and the tool that picks more. */
+function Kept({ step }: { step: MatchStep }) {
+  const { state: own } = useMatch();
+  const found = own.kept.value;
+  return (
+    <>
+      {step.sharpAngle !== undefined && found.length === step.models.length && (
+        <p class="muted">
+          {step.models
+            .map((name, at) => t('ui.match.sharp.found', { name, count: found[at]!.length }))
+            .join(' · ')}
+        </p>
+      )}
+      <div class="buttons">
+        <CommandButton command="tool.match-sharp" kind="solid" />
+      </div>
+    </>
+  );
+}
+
 /** Sharp edges, and how fine the skins are. */
 function Surface({ step }: { step: MatchStep }) {
   const { actions: match } = useMatch();
@@ -85,6 +106,7 @@ function Surface({ step }: { step: MatchStep }) {
           onCommit={finish}
         />
       )}
+      <Kept step={step} />
       <div class="field" title={t('ui.match.edge-length.help')}>
         <span class="label">{t('ui.match.edge-length')}</span>
         <NumberField

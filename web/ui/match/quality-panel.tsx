@@ -1,7 +1,10 @@
 import { t, tCode } from '../../app/i18n';
+import { POSED_BY } from '../../app/match/models';
 import type { Matching, PoorPlace, SkinQuality } from '../../app/match/result';
+import { wings } from '../../app/wings';
 import type { Finding } from '../../core/errors';
 import { useApp } from '../context';
+import { Button } from '../controls/button';
 import { CommandButton } from '../controls/command-button';
 import { Icon } from '../controls/icon';
 import { Section } from '../controls/section';
@@ -80,6 +83,9 @@ function Faults({ quality }: { quality: SkinQuality }) {
   );
 }
 
+/** Of what its pose is to blame for. */
+const POSED = 'poses-differ';
+
 /** What the match has to say, once for all models. */
 function Findings() {
   const { state } = useApp();
@@ -88,7 +94,7 @@ function Findings() {
     const found = state.warnings.value.filter((each) => each.code === code);
     const count = found.reduce((sum, each) => sum + each.count, 0);
     const about = [...new Set(found.flatMap(({ model }) => model ?? []))];
-    return (
+    const note = (
       <p key={code} class="note warn">
         <Icon name="triangle-alert" />
         <span>
@@ -97,7 +103,38 @@ function Findings() {
         </span>
       </p>
     );
+    if (code !== POSED) return note;
+    return (
+      <div key={code} class="match-posed">
+        {note}
+        {about.map((name) => (
+          <PoseFirst key={name} name={name} />
+        ))}
+      </div>
+    );
   });
+}
+
+/** Leads to where a model is posed before it is matched. */
+function PoseFirst({ name }: { name: string }) {
+  const { state: own, actions: match } = useMatch();
+  const at = own.step.value?.models.indexOf(name) ?? -1;
+  if (at < 0) return null;
+  return (
+    <div class="buttons">
+      <span class="muted">{t('ui.match.pose.first', { name })}</span>
+      {POSED_BY.map((by) => (
+        <Button
+          key={by}
+          kind="solid"
+          icon={wings[by].icon}
+          label={t(`wing.${by}.title`)}
+          title={t(`ui.match.pose.${by}`)}
+          onClick={() => match.pose(at, by)}
+        />
+      ))}
+    </div>
+  );
 }
 
 /** Markers by the numbers that they have on screen. */

@@ -23,8 +23,8 @@ export interface SkinPlaces {
 }
 
 /** Whether there is anything to be read off. */
-export const hasAttributes = ({ colors, uvs, groups, vertexSets }: Model): boolean =>
-  !!(colors || uvs || groups?.length || vertexSets);
+export const hasAttributes = ({ colors, uvs, groups, vertexSets, morphs }: Model): boolean =>
+  !!(colors || uvs || groups?.length || vertexSets || morphs?.length);
 
 /** Points to ask for: 3 numbers each, in the order of `SkinPlaces`. */
 export interface SkinPoints {

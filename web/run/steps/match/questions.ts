@@ -46,6 +46,14 @@ export const matchQuestions = {
     );
   },
 
+  /** Of one of the step's models: what an angle keeps, as rows of vertices. */
+  sharpEdges: (
+    _step: MatchStep,
+    context: StepContext,
+    { model, angle }: { readonly model: number; readonly angle: number },
+  ): Promise<readonly Uint32Array[]> =>
+    context.kernel.call('sharpEdges', { model: context.inputs[model]!.opened.id, angle }, signalOf(context)),
+
   /** By skins that were made before. */
   carryPlaces: (_step: MatchStep, context: StepContext, skins: Carried): Promise<Float64Array> =>
     context.kernel.call('carryPlaces', skins, signalOf(context)),
