@@ -346,13 +346,17 @@ function ellipsoid([cx, cy, cz], radii, turn = 0, count = 24) {
     if (!numbers.has(key)) {
       numbers.set(key, points.length);
       // Even on the sphere: equal steps along a side are equal angles.
-      const [x, y, z] = unit(corner.map((k) => Math.sin((Math.PI / 2) * (k / count)))).map((k, i) => k * radii[i]);
+      const [x, y, z] = unit(corner.map((k) => Math.sin((Math.PI / 2) * (k / count)))).map(
+        (k, i) => k * radii[i],
+      );
       points.push([cx + c * x - s * y, cy + s * x + c * y, cz + z]);
     }
     return numbers.get(key);
   };
   const triangles = [];
-  for (const [sx, sy, sz] of [0, 1, 2, 3, 4, 5, 6, 7].map((bits) => [1, 2, 4].map((bit) => (bits & bit ? -1 : 1))))
+  for (const [sx, sy, sz] of [0, 1, 2, 3, 4, 5, 6, 7].map((bits) =>
+    [1, 2, 4].map((bit) => (bits & bit ? -1 : 1)),
+  ))
     for (let i = 0; i < count; i++)
       for (let j = 0; i + j < count; j++) {
         const at = (a, b) => vertex([sx * a || 0, sy * b || 0, sz * (count - a - b) || 0]);
