@@ -63,7 +63,7 @@ function nut() {
   return recipe(['torus', 'nut'], markers, { sharpAngle: 40 });
 }
 
-/** Balls that reach into one another, and a rabbit. */
+/** Seven eggs, closed each by itself, that reach into one another, and a rabbit in one piece. */
 function bear() {
   const point = (...at) => ({ point: at });
   const both = (bear, rabbit) =>
@@ -72,15 +72,15 @@ function bear() {
   return recipe(
     ['bear', 'rabbit'],
     [
-      middle([0, 1.18, 0.4], [0, 1.08, 0.37]),
-      middle([0, 1.22, -0.24], [0, 1.13, -0.2]),
-      middle([0, 0.62, 0.3], [0, 0.55, 0.29]),
+      middle([0, 1.2, 0.32], [0, 1.08, 0.37]),
+      middle([0, 1.22, -0.26], [0, 1.13, -0.2]),
+      middle([0, 0.58, 0.3], [0, 0.55, 0.29]),
       middle([0, 0.62, -0.3], [0, 0.62, -0.33]),
       middle([0, 0.2, -0.05], [0, 0.13, -0.05]),
-      middle([0, 1.52, 0.03], [0, 1.4, 0.08]),
-      ...both([0.18, 1.59, 0.02], [0.21, 2, -0.06]),
-      ...both([0.61, 0.58, 0.08], [0.57, 0.58, 0.25]),
-      ...both([0.2, 0.25, 0.44], [0.22, 0.12, 0.52]),
+      middle([0, 1.5, 0.03], [0, 1.4, 0.08]),
+      ...both([0.23, 1.59, 0.02], [0.21, 2, -0.06]),
+      ...both([0.64, 0.78, 0.08], [0.57, 0.58, 0.25]),
+      ...both([0.2, 0.25, 0.46], [0.22, 0.12, 0.52]),
     ],
     {},
   );

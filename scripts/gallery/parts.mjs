@@ -336,36 +336,53 @@ function nut() {
   });
 }
 
-/** About the distance from a ball that is longer along some axes than along others, turned about z. */
-function ball([x, y, z], [cx, cy, cz], [rx, ry, rz], turn = 0) {
+/** An egg: an octahedron whose sides are cut in `count`, blown up, stretched, turned about z and moved. */
+function ellipsoid([cx, cy, cz], radii, turn = 0, count = 24) {
   const [c, s] = [Math.cos(turn), Math.sin(turn)];
-  const [dx, dy] = [x - cx, y - cy];
-  const place = [(c * dx + s * dy) / rx, (c * dy - s * dx) / ry, (z - cz) / rz];
-  const gradient = Math.hypot(place[0] / rx, place[1] / ry, place[2] / rz);
-  const far = Math.hypot(...place);
-  return gradient > 0 ? ((far - 1) * far) / gradient : -Math.min(rx, ry, rz);
+  const numbers = new Map();
+  const points = [];
+  const vertex = (corner) => {
+    const key = corner.join();
+    if (!numbers.has(key)) {
+      numbers.set(key, points.length);
+      // Even on the sphere: equal steps along a side are equal angles.
+      const [x, y, z] = unit(corner.map((k) => Math.sin((Math.PI / 2) * (k / count)))).map(
+        (k, i) => k * radii[i],
+      );
+      points.push([cx + c * x - s * y, cy + s * x + c * y, cz + z]);
+    }
+    return numbers.get(key);
+  };
+  const triangles = [];
+  for (const [sx, sy, sz] of [0, 1, 2, 3, 4, 5, 6, 7].map((bits) =>
+    [1, 2, 4].map((bit) => (bits & bit ? -1 : 1)),
+  ))
+    for (let i = 0; i < count; i++)
+      for (let j = 0; i + j < count; j++) {
+        const at = (a, b) => vertex([sx * a || 0, sy * b || 0, sz * (count - a - b) || 0]);
+        const two = [[at(i, j), at(i + 1, j), at(i, j + 1)]];
+        if (i + j + 1 < count) two.push([at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+        triangles.push(...(sx * sy * sz > 0 ? two : two.map(([a, b, d]) => [a, d, b])));
+      }
+  return { points, triangles };
 }
 
-/** A toy bear of balls that reach into one another: belly, head, snout, ears, arms and legs. */
+/** A toy bear of seven eggs that reach into one another, each closed by itself: belly, head, ears, legs, and one for both arms. */
 function bear() {
-  return implicitSurface({
-    low: [-0.75, -0.03, -0.45],
-    high: [0.75, 1.71, 0.6],
-    cell: 0.03,
-    inside: (x, y, z) => {
-      // Left and right are the same.
-      const p = [Math.abs(x), y, z];
-      return blend(
-        0.06,
-        ball(p, [0, 0.62, 0], [0.34, 0.42, 0.3]),
-        ball(p, [0, 1.22, 0.03], [0.29, 0.28, 0.27]),
-        ball(p, [0, 1.16, 0.27], [0.13, 0.11, 0.14]),
-        ball(p, [0.18, 1.46, 0.02], [0.11, 0.13, 0.08]),
-        ball(p, [0.35, 0.76, 0.08], [0.32, 0.13, 0.14], -0.6),
-        ball(p, [0.2, 0.25, 0.14], [0.16, 0.17, 0.3]),
-      );
-    },
-  });
+  const eggs = [
+    ellipsoid([0, 0.62, 0], [0.34, 0.42, 0.3], 0, 30),
+    ellipsoid([0, 1.22, 0.03], [0.3, 0.28, 0.29], 0, 26),
+    ...[1, -1].map((side) => ellipsoid([side * 0.19, 1.46, 0.02], [0.12, 0.14, 0.08], -0.3 * side, 14)),
+    ellipsoid([0, 0.78, 0.08], [0.64, 0.14, 0.14], 0, 26),
+    ...[1, -1].map((side) => ellipsoid([side * 0.2, 0.25, 0.14], [0.16, 0.17, 0.32], 0, 18)),
+  ];
+  const points = [];
+  const triangles = [];
+  for (const egg of eggs) {
+    triangles.push(...egg.triangles.map((corners) => corners.map((v) => v + points.length)));
+    points.push(...egg.points);
+  }
+  return { points, triangles };
 }
 
 /** A rabbit that sits like the bear does, in one piece. */

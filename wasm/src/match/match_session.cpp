@@ -14,6 +14,7 @@
 #include "easing.h"
 #include "match_checks.h"
 #include "match_report.h"
+#include "outer_parts.h"
 #include "placed_model.h"
 #include "projection.h"
 #include "sharp_finish.h"
@@ -76,8 +77,8 @@ struct Fitted {
     std::optional<GuardedStep> guard{};
     SharpFinish sharp;
 
-    Fitted(const MatchModel& model, double sharp_angle, const std::string& which)
-        : placed(*model.model, which), markers(placed.inwards(model.markers)), sharp(placed, sharp_angle, model.sharp) {
+    Fitted(const MatchModel& model, std::optional<OuterSurface> outer, double sharp_angle, const std::string& which)
+        : placed(*model.model, which, std::move(outer)), markers(placed.inwards(model.markers)), sharp(placed, sharp_angle, model.sharp) {
         placed.ignore(model.ignored, which);
         for (const Points& curve : model.curves) curves.push_back(placed.inwards(curve));
     }
@@ -87,10 +88,12 @@ struct Fitted {
 } // namespace
 
 struct MatchSession::State {
-    enum class Stage { first, start, particles, carry, untangle, fine, edges, mend, relax, project, sharp, done };
+    enum class Stage { outer, first, start, particles, carry, untangle, fine, edges, mend, relax, project, sharp, done };
 
     MatchOptions options;
-    std::deque<Fitted> models{}; ///< the source first
+    std::vector<MatchModel> given;
+    OuterParts outer;
+    std::deque<Fitted> models{}; ///< the source first; none before their outer surfaces are known
 
     std::optional<SkinBeginning> beginning{};
     SkinSet skins{};
@@ -100,7 +103,7 @@ struct MatchSession::State {
     std::optional<FineFit> fine{}; ///< of all skins, for it knows the triangles alone
     ConnectivityOptions edges{};
 
-    Stage stage = Stage::first;
+    Stage stage = Stage::outer;
     int carries = 0, carried = 0;  ///< slices of carrying: all, and done
     int iteration = 0, model = 1; ///< which skin the next slice is about
     ConnectivityChange changes{};
@@ -111,11 +114,17 @@ struct MatchSession::State {
     std::vector<MatchWarning> warnings{};
     MatchSeconds seconds{};
 
-    State(const std::vector<MatchModel>& given, const MatchOptions& o) : options(o), refused(given.size(), 0) {
-        for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], o.sharp_angle, name_of(k, given.size()));
-        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(source().placed.mesh());
+    State(const std::vector<MatchModel>& m, const MatchOptions& o) : options(o), given(m), outer(m, o.first), refused(m.size(), 0) {}
+
+    void find_outer() {
+        if (outer.step()) return;
+        options.first = outer.first();
+        for (std::size_t k = 0; k < given.size(); ++k) models.emplace_back(given[k], outer.take(k), options.sharp_angle, name_of(k, given.size()));
+        const PlacedModel& placed = source().placed;
+        edges.edge_length = options.edge_length > 0 ? options.edge_length : mean_edge_length(placed.working.mesh) / placed.size.size;
         edges.adapt = options.adapt;
-        if (options.first == FirstSkin::automatic) options.first = source().placed.is_loose() ? FirstSkin::wrap : FirstSkin::copy;
+        align();
+        next(Stage::first);
     }
 
     [[nodiscard]] int count() const { return static_cast<int>(models.size()); }
@@ -457,6 +466,10 @@ struct MatchSession::State {
     void advance() {
         Stopwatch watch;
         switch (stage) {
+        case Stage::outer:
+            find_outer();
+            seconds.start += watch.lap();
+            break;
         case Stage::first:
             begin();
             seconds.start += watch.lap();
@@ -555,7 +568,8 @@ MatchSession::MatchSession(const std::vector<MatchModel>& models, const MatchOpt
     check_options(models, options);
     check_curves(models);
     state_ = std::make_unique<State>(models, options);
-    state_->align();
+    const bool whole = std::all_of(models.begin(), models.end(), [](const MatchModel& each) { return each.model->component_count < 2; });
+    if (whole) state_->find_outer(); // at once: what is wrong with markers is told here
     state_->seconds.start = watch.lap();
 }
 MatchSession::~MatchSession() = default;
@@ -574,6 +588,7 @@ double MatchSession::fraction() const {
     const double projected = s.has_sharp() ? 0.8 : 1, fitted = projected - 0.05;
     const auto fine_step = [&](double part) { return carried + (fitted - carried) * (s.iteration + part) / s.options.fine_steps; };
     switch (s.stage) {
+    case State::Stage::outer: return 0;
     case State::Stage::first: return s.beginning ? begun * s.beginning->fraction() : 0;
     case State::Stage::start: return begun;
     case State::Stage::particles: return begun + (projected - begun) * (s.iteration + static_cast<double>(s.model) / s.count()) / k_particle_passes;
@@ -605,7 +620,10 @@ MatchResult MatchSession::result() const {
     return out;
 }
 
-const MarkerAlignment& MatchSession::alignment(int model) const { return state_->models[static_cast<std::size_t>(model)].alignment; }
+const MarkerAlignment& MatchSession::alignment(int model) const {
+    if (state_->models.empty()) throw InvalidInput("not-begun", "The match has not begun. Call step() first.");
+    return state_->models[static_cast<std::size_t>(model)].alignment;
+}
 Points MatchSession::positions(int model) const {
     const State& s = *state_;
     const auto k = static_cast<std::size_t>(model);

@@ -1,7 +1,6 @@
 #include "placed_model.h"
 
 #include "lissom/mesh/errors.h"
-#include "lissom/mesh/half_edges.h"
 
 #include <algorithm>
 #include <utility>
@@ -12,20 +11,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-/// Share of edges with one triangle above which a surface is a soup and has no rim.
-constexpr double k_soup = 0.25;
-
-bool is_soup(const TriangleMesh& mesh) {
-    int all = 0, open = 0;
-    for_each_edge(half_edges(mesh), [&](auto first, auto last) {
-        ++all;
-        open += last - first == 1;
-    });
-    return open > k_soup * all;
-}
-
-TriangleMesh at_unit_size(const WorkingMesh& model, const SurfaceSize& size) {
-    return {(model.mesh.points.rowwise() - size.middle) / size.size, model.mesh.triangles};
+TriangleMesh at_unit_size(const TriangleMesh& mesh, const SurfaceSize& size) {
+    return {(mesh.points.rowwise() - size.middle) / size.size, mesh.triangles};
 }
 
 SurfaceSize size_of(const WorkingMesh& model, const std::string& which) {
@@ -36,23 +23,25 @@ SurfaceSize size_of(const WorkingMesh& model, const std::string& which) {
 
 } // namespace
 
-PlacedModel::PlacedModel(const WorkingMesh& model, const std::string& which)
-    : working(model), size(size_of(model, which)), surface(at_unit_size(model, size), {!is_soup(model.mesh), model.oriented}) {}
+PlacedModel::PlacedModel(const WorkingMesh& model, const std::string& which, std::optional<OuterSurface> seen)
+    : working(model), outer(std::move(seen)), size(size_of(model, which)),
+      // Where something is hidden the rims are mostly creases.
+      surface(at_unit_size(outer ? outer->seen() : model.mesh, size), {!outer && !is_soup(model.mesh), model.oriented}) {}
 
 bool PlacedModel::is_points() const {
     return std::any_of(working.findings.begin(), working.findings.end(), [](const Finding& finding) { return finding.code == "points-only"; });
 }
 
-bool PlacedModel::is_loose() const { return is_points() || is_soup(mesh()); }
+bool PlacedModel::is_loose() const { return is_points() || outer || is_soup(working.mesh); }
 
 void PlacedModel::ignore(const std::vector<int>& source_vertices, const std::string& which) {
     if (source_vertices.empty()) return;
-    std::vector<char> flags(static_cast<std::size_t>(mesh().vertex_count()), 0);
+    std::vector<char> flags(static_cast<std::size_t>(working.mesh.vertex_count()), 0);
     for (const int v : source_vertices) {
         if (v < 0 || v >= std::ssize(working.working_of_source)) throw InvalidInput("bad-mask", "The mask of the " + which + " has vertex " + std::to_string(v) + ", which is not there. Paint the mask again.");
         if (const int at = working.working_of_source[v]; at >= 0) flags[at] = 1;
     }
-    surface.ignore(std::move(flags));
+    surface.ignore(outer ? outer->carried(flags) : std::move(flags));
     for (int t = 0; t < mesh().triangle_count(); ++t)
         if (!surface.ignores(t)) return;
     throw InvalidInput("bad-mask", "The mask of the " + which + " covers all of it. Leave some of it free.");

@@ -12,11 +12,15 @@ using Eigen::Vector3d;
 
 namespace {
 
-std::vector<std::vector<int>> in_working_mesh(const WorkingMesh& model, const std::vector<std::vector<int>>& chains) {
+std::vector<std::vector<int>> in_working_mesh(const PlacedModel& model, const std::vector<std::vector<int>>& chains) {
+    const std::vector<int>& places = model.working.working_of_source;
     std::vector<std::vector<int>> all;
     for (const auto& chain : chains) {
-        std::vector<int>& mapped = all.emplace_back();
-        for (const int v : chain) mapped.push_back(v >= 0 && v < std::ssize(model.working_of_source) ? model.working_of_source[v] : -1);
+        std::vector<int> mapped;
+        for (const int v : chain) mapped.push_back(v >= 0 && v < std::ssize(places) ? places[v] : -1);
+        if (!model.outer) all.push_back(std::move(mapped));
+        else
+            for (auto& piece : model.outer->along(mapped)) all.push_back(std::move(piece));
     }
     return all;
 }
@@ -49,7 +53,7 @@ Points closed_up(const SharpLine& line) {
 
 SharpFinish::SharpFinish(const PlacedModel& model, double angle, const std::vector<std::vector<int>>& picked) {
     if (!(angle > 0) && picked.empty()) return;
-    curves_ = sharp_curves(model.mesh(), {.angle = angle}, in_working_mesh(model.working, picked));
+    curves_ = sharp_curves(model.mesh(), {.angle = angle}, in_working_mesh(model, picked));
     lines_ = sharp_lines(model.mesh().points, curves_);
 }
 

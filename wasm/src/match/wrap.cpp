@@ -1,14 +1,11 @@
 #include "lissom/match/wrap.h"
 
+#include "lissom/match/flood_grid.h"
 #include "lissom/mesh/errors.h"
-#include "lissom/mesh/grid.h"
 #include "lissom/mesh/iso_surface.h"
 #include "lissom/mesh/operators.h"
-#include "lissom/mesh/point_tree.h"
 #include "lissom/mesh/remesh.h"
-#include "lissom/mesh/surface_samples.h"
 #include "lissom/mesh/topology.h"
-#include "lissom/mesh/triangle_tree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,19 +17,9 @@
 namespace lissom {
 
 using Eigen::Vector3d;
-using Eigen::Vector3i;
 
 namespace {
 
-constexpr int k_samples = 20000, k_neighbours = 6;
-constexpr double k_quantile = 0.95;
-constexpr double k_least_cells = 1.5;      // of radius
-constexpr double k_first = 0.8, k_raise = 1.2, k_last = 3; // of the spacing
-constexpr double k_most_surface_cells = 60000;
-constexpr int k_block = 8;                 // nodes along a side
-constexpr int k_blocks_a_slice = 60;
-/// Growth of the fill from radius to radius, by that of a surface that moves outwards, above which the flood had run inside.
-constexpr double k_jump = 2.5;
 constexpr double k_web_slope = 0.65;       // |∇d| between two sheets that lie more than 99 degrees apart as seen from there; in a right angle it is 0.71
 constexpr int k_vertices = 10000;
 
@@ -76,160 +63,41 @@ TriangleMesh as_triangles(const Points& points) {
 }
 
 struct Wrapper::State {
-    enum class Stage { distances, radii, mesh, done };
+    enum class Stage { flood, genus, mesh, done };
 
-    const TriangleMesh& model;
     WrapOptions options;
-    TriangleTree tree;
-    double spacing = 0; ///< of samples
-    Grid grid;
-    std::vector<double> radii;
-    std::vector<float> distance; ///< of nodes, no more than the largest radius and a cell
-    Vector3i blocks = Vector3i::Zero();
-    int block = 0;
-
-    struct Fill {
-        double nodes, faces; ///< not reached; between a node that is and one that is not
-    };
-    std::vector<Fill> fills;
+    FloodGrid flood;
     std::vector<std::pair<int, int>> misses; ///< how far the genus is off, number of the radius
-    std::size_t candidate = 0;
+    int candidate = 0;
     bool chosen = false;
     std::optional<Remesher> remesher;
     Wrapped out;
-    Stage stage = Stage::distances;
+    Stage stage = Stage::flood;
 
-    State(const TriangleMesh& m, const WrapOptions& o) : model(m), options(o), tree(model) {
-        const double area = triangle_areas(model).sum();
-        Points samples = model.points;
-        if (area > 0) samples = sample_surface(model, k_samples).on(model);
-        if (samples.rows() < 2 || !(diagonal(samples) > 0)) throw InvalidInput("flat-model", "There is nothing to wrap: the model is a single place. Choose another model.");
-        measure(samples);
-        const Eigen::RowVector3d low = samples.colwise().minCoeff(), high = samples.colwise().maxCoeff();
-        // Scattered points have the area of the discs that they stand for.
-        const double covered = area > 0 ? area : static_cast<double>(samples.rows()) * spacing * spacing * 0.5;
-        const double longest = (high - low).maxCoeff();
-        grid.step = std::max(longest / options.cells, std::sqrt(covered / k_most_surface_cells));
-        const double first = std::max(k_first * spacing, k_least_cells * grid.step);
-        for (double r = first; r <= k_last * std::max(spacing, first / k_first) * (1 + 1e-9); r *= k_raise) radii.push_back(r);
-        const double margin = radii.back() + 2 * grid.step;
-        grid.origin = (low.array() - margin).matrix().transpose();
-        for (int k = 0; k < 3; ++k) grid.size[k] = static_cast<int>(std::ceil((high[k] - low[k] + 2 * margin) / grid.step)) + 1;
-        for (int k = 0; k < 3; ++k) blocks[k] = (grid.size[k] + k_block - 1) / k_block;
-        distance.assign(static_cast<std::size_t>(grid.count()), static_cast<float>(reach()));
-    }
-
-    [[nodiscard]] double reach() const { return radii.back() + 1.8 * grid.step; }
-
-    /// The 95 % quantile of the distance to the sixth neighbour.
-    void measure(const Points& samples) {
-        const PointTree near(samples);
-        std::vector<std::pair<int, double>> found;
-        std::vector<double> lengths;
-        for (Eigen::Index i = 0; i < samples.rows(); ++i) {
-            near.nearest(samples.row(i).transpose(), k_neighbours + 1, found);
-            lengths.push_back(std::sqrt(found.back().second));
-        }
-        const auto at = lengths.begin() + static_cast<std::ptrdiff_t>(k_quantile * static_cast<double>(lengths.size() - 1));
-        std::nth_element(lengths.begin(), at, lengths.end());
-        spacing = *at;
-    }
-
-    /// Halves a box of nodes until it is one node or wholly out of reach.
-    void ask(const Vector3i& from, const Vector3i& to, int hint) {
-        const Vector3i size = to - from;
-        if ((size.array() <= 0).any()) return;
-        const Vector3d middle = grid.origin + grid.step * (from + to - Vector3i::Ones()).cast<double>() / 2;
-        const double around = grid.step * (size - Vector3i::Ones()).cast<double>().norm() / 2;
-        const auto found = tree.nearest_where(middle, reach() + around, hint, [](int) { return true; });
-        if (found.triangle < 0) return; // out of reach
-        if (size.maxCoeff() == 1) {
-            distance[grid.node(from.x(), from.y(), from.z())] = static_cast<float>(std::min(found.distance, reach()));
-            return;
-        }
-        int axis = 0;
-        size.maxCoeff(&axis);
-        Vector3i cut_to = to, cut_from = from;
-        cut_to[axis] = cut_from[axis] = from[axis] + size[axis] / 2;
-        ask(from, cut_to, found.triangle);
-        ask(cut_from, to, found.triangle);
-    }
-
-    void ask_blocks() {
-        const int all = blocks.prod();
-        for (int k = 0; k < k_blocks_a_slice && block < all; ++k, ++block) {
-            const Vector3i at(block % blocks.x(), block / blocks.x() % blocks.y(), block / (blocks.x() * blocks.y()));
-            ask(k_block * at, (k_block * (at + Vector3i::Ones())).cwiseMin(grid.size), -1);
-        }
-        if (block == all) stage = Stage::radii;
-    }
-
-    /// Nodes farther than r that are reached from the border, over the edges of the tetrahedra.
-    [[nodiscard]] std::vector<char> flooded(double r) const {
-        std::vector<char> reached(distance.size(), 0);
-        std::vector<int> open;
-        const auto reach_node = [&](int i) {
-            if (reached[i] || !(distance[i] > r)) return;
-            reached[i] = 1;
-            open.push_back(i);
-        };
-        for (int i = 0; i < grid.count(); ++i) {
-            const Vector3i c = grid.cell(i);
-            if ((c.array() == 0).any() || (c.array() == grid.size.array() - 1).any()) reach_node(i);
-        }
-        while (!open.empty()) {
-            const Vector3i c = grid.cell(open.back());
-            open.pop_back();
-            for (int bits = 1; bits < 8; ++bits)
-                for (const int sign : {-1, 1}) {
-                    const Vector3i d = c + sign * Vector3i(bits & 1, bits >> 1 & 1, bits >> 2);
-                    if ((d.array() >= 0).all() && (d.array() < grid.size.array()).all()) reach_node(grid.node(d.x(), d.y(), d.z()));
-                }
-        }
-        return reached;
-    }
-
-    [[nodiscard]] Fill fill_of(const std::vector<char>& reached) const {
-        Fill fill{0, 0};
-        const int steps[] = {1, grid.size.x(), grid.size.x() * grid.size.y()};
-        for (int i = 0; i < grid.count(); ++i) {
-            fill.nodes += !reached[i];
-            const Vector3i c = grid.cell(i);
-            for (int k = 0; k < 3; ++k)
-                if (c[k] + 1 < grid.size[k]) fill.faces += reached[i] != reached[i + steps[k]];
-        }
-        fill.faces /= 1.5; // a surface that lies anyhow has so many more faces of cells than its area
-        return fill;
-    }
+    State(const TriangleMesh& m, const WrapOptions& o) : options(o), flood(m, o.cells) {}
 
     [[nodiscard]] Shell shell_at(double r) const {
-        const std::vector<char> reached = flooded(r);
-        std::vector<float> values(distance.size());
-        for (std::size_t i = 0; i < values.size(); ++i) values[i] = static_cast<float>(reached[i] ? distance[i] - r : -std::abs(distance[i] - r));
-        return largest(iso_surface(grid, values));
+        const std::vector<char> reached = flood.reached(r);
+        std::vector<float> values(flood.distances().size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const auto off = static_cast<float>(flood.distances()[i] - r);
+            values[i] = reached[i] ? off : -std::abs(off);
+        }
+        return largest(iso_surface(flood.grid(), values));
     }
 
-    /// First how much each radius fills, then from the last leak on the genus.
     void try_radius() {
-        if (fills.size() < radii.size()) {
-            fills.push_back(fill_of(flooded(radii[fills.size()])));
-            if (fills.size() < radii.size()) return;
-            for (std::size_t i = 0; i + 1 < radii.size(); ++i) {
-                const double step = (radii[i + 1] - radii[i]) / grid.step, grown = fills[i + 1].nodes - fills[i].nodes;
-                if (grown > k_jump * step * std::max(fills[i].faces, fills[i + 1].faces)) candidate = i + 1;
-            }
-            return;
-        }
-        Shell shell = shell_at(radii[candidate]);
+        const std::vector<double>& radii = flood.radii();
+        Shell shell = shell_at(radii[static_cast<std::size_t>(candidate)]);
         const int off = std::abs(shell.genus - options.genus);
-        misses.emplace_back(off, static_cast<int>(candidate));
+        misses.emplace_back(off, candidate);
         if (off != 0 && !chosen) {
-            if (++candidate < radii.size()) return;
-            candidate = static_cast<std::size_t>(std::min_element(misses.begin(), misses.end())->second);
+            if (++candidate < std::ssize(radii)) return;
+            candidate = std::min_element(misses.begin(), misses.end())->second;
             chosen = true; // the nearest there is, in a slice of its own
             return;
         }
-        out.radius = radii[candidate];
+        out.radius = radii[static_cast<std::size_t>(candidate)];
         out.genus_missed = off != 0;
         out.left_out = shell.left_out;
         const double area = triangle_areas(shell.mesh).sum();
@@ -240,7 +108,7 @@ struct Wrapper::State {
 
     /// Where the nearest places lie on different sides, the distance's slope is less than one.
     void find_webs() {
-        const auto at = [&](const Vector3d& p) { return tree.nearest_where(p, std::numeric_limits<double>::infinity(), -1, [](int) { return true; }).distance; };
+        const auto at = [&](const Vector3d& p) { return flood.tree().nearest_where(p, std::numeric_limits<double>::infinity(), -1, [](int) { return true; }).distance; };
         const double h = 0.5 * out.radius;
         for (int v = 0; v < out.mesh.vertex_count(); ++v) {
             const Vector3d p = out.mesh.points.row(v);
@@ -254,8 +122,12 @@ struct Wrapper::State {
 
     void advance() {
         switch (stage) {
-        case Stage::distances: ask_blocks(); break;
-        case Stage::radii: try_radius(); break;
+        case Stage::flood:
+            if (flood.step()) break;
+            candidate = flood.first_sound();
+            stage = Stage::genus;
+            break;
+        case Stage::genus: try_radius(); break;
         case Stage::mesh:
             if (remesher->step()) break;
             out.mesh = remesher->result().mesh;
@@ -286,11 +158,11 @@ bool Wrapper::step() {
 
 double Wrapper::fraction() const {
     const State& s = *state_;
-    constexpr double asked = 0.4, tried = 0.6; // shares of the time as measured
+    constexpr double flooded = 0.6; // share of the time as measured
     switch (s.stage) {
-    case State::Stage::distances: return asked * s.block / s.blocks.prod();
-    case State::Stage::radii: return asked + (tried - asked) * static_cast<double>(s.fills.size()) / static_cast<double>(s.radii.size() + 1);
-    case State::Stage::mesh: return tried + (1 - tried) * s.remesher->fraction();
+    case State::Stage::flood: return flooded * s.flood.fraction();
+    case State::Stage::genus: return flooded;
+    case State::Stage::mesh: return flooded + (1 - flooded) * s.remesher->fraction();
     case State::Stage::done: break;
     }
     return 1;
