@@ -1,11 +1,15 @@
 // The gallery's clothes and shoes on people they were not made for. Written by scripts/gallery.mjs.
 
 import { bodies, bodyMatch } from './blend.mjs';
-import { builtIn, FOOT, matchOf } from './landmarks.mjs';
+import { BODY, builtIn, FOOT, matchOf } from './landmarks.mjs';
+import { modelOf } from './models.mjs';
 
 const [FEMALE, MALE, HEAVY] = bodies;
 /** Metres: of what is worn over something else. */
 const OVER = 0.006;
+const OVER_BOTH = 0.01;
+/** Of skins that only clothes are carried by. */
+const SCAN_EDGE = 0.022;
 const FOOT_EDGE = 0.007;
 
 const feet = ['foot-female', 'foot-male', 'foot-child'];
@@ -27,6 +31,29 @@ const recipe = (match, ...steps) => ({
   outputs: [],
 });
 
+/** What the soup and the points were made of (scripts/gallery/scans.mjs), whose vertices are known. */
+const SCANS = { 'body-soup': MALE, 'body-points': HEAVY };
+
+/** One wardrobe on a soup and on points: their markers are places, for no vertex of theirs is where one of the source is. */
+function figure() {
+  const millimetres = (x) => Math.round(1000 * x) / 1000;
+  const place = (vertex) => (of) => ({ point: modelOf(of).points[vertex].map(millimetres) });
+  const match = {
+    ...matchOf([FEMALE, ...Object.keys(SCANS)], [], { edgeLength: SCAN_EDGE }),
+    markers: BODY.map((vertex) => [vertex, ...Object.values(SCANS).map(place(vertex))]),
+  };
+  const [SOUP, POINTS] = Object.keys(SCANS);
+  const outfit = [
+    ['pants', 0],
+    ['shirt', OVER],
+    ['skirt', OVER_BOTH],
+  ];
+  const steps = [SOUP, POINTS].flatMap((to, body) =>
+    outfit.map(([garment, ease], at) => worn(outfit.length * body + at + 1, garment, FEMALE, to, ease)),
+  );
+  return recipe(match, ...steps);
+}
+
 /** @returns name, title, model and recipe of each example */
 export function dressExamples() {
   return [
@@ -42,6 +69,7 @@ export function dressExamples() {
       'skirt',
       recipe(bodyMatch(), worn(1, 'shirt', FEMALE, HEAVY), worn(2, 'skirt', FEMALE, HEAVY, OVER)),
     ],
+    ['dress-scans', 'One wardrobe, two scans', 'body-points', figure()],
     [
       'dress-shoe',
       'A shoe on two feet',
