@@ -7,7 +7,9 @@ import { modelOf } from './models.mjs';
 const [FEMALE, MALE, HEAVY] = bodies;
 /** Metres: of what is worn over something else. */
 const OVER = 0.006;
-const OVER_BOTH = 0.01;
+/** A skirt over pants lies close; a shirt hangs over its band. */
+const OVER_PANTS = 0.004;
+const OVER_BAND = 0.016;
 /** Of skins that only clothes are carried by. */
 const SCAN_EDGE = 0.022;
 const FOOT_EDGE = 0.007;
@@ -45,8 +47,8 @@ function figure() {
   const [SOUP, POINTS] = Object.keys(SCANS);
   const outfit = [
     ['pants', 0],
-    ['shirt', OVER],
-    ['skirt', OVER_BOTH],
+    ['skirt', OVER_PANTS],
+    ['shirt', OVER_BAND],
   ];
   const steps = [SOUP, POINTS].flatMap((to, body) =>
     outfit.map(([garment, ease], at) => worn(outfit.length * body + at + 1, garment, FEMALE, to, ease)),

@@ -7,7 +7,7 @@ import { skinsOf } from './skins.mjs';
 
 /** Metres. */
 const SOUP_EDGE = 0.025;
-const SOUP_GAP = 0.0003;
+const SOUP_GAP = 0.0001;
 const POINT_GAP = 0.0082;
 const POINT_NOISE = 0.0006;
 /** Of the triangles, how many are missing, and how many are the wrong way round. */

@@ -12,6 +12,7 @@ import {
   Sphere,
   Vector3,
 } from 'three';
+import { DotScreen } from './dot-screen';
 import { dotSize, isSoup } from './loose';
 import { facesInwards, isClosed, VertexNormals } from './normals';
 import { assignChannels, type Channel } from './region-channels';
@@ -43,6 +44,7 @@ export class ModelView {
   /** Has an outside only: nobody sees its inner side. */
   readonly closed: boolean;
   readonly #dots: BufferGeometry | undefined;
+  readonly #screen: DotScreen | undefined;
   readonly #normals: VertexNormals;
   readonly #position: BufferAttribute;
   readonly #normal: BufferAttribute;
@@ -69,17 +71,21 @@ export class ModelView {
     const isCloud = model.faceOffsets.length <= 1;
     this.#dots = isCloud ? dotsOf(this.geometry) : undefined;
     this.mesh = this.#dots ? new Points(this.#dots) : new Mesh(this.geometry);
+    this.#screen = isCloud ? new DotScreen(this.geometry) : undefined;
+    if (this.#screen) this.mesh.add(this.#screen.mesh);
+    this.mesh.renderOrder = isCloud ? 1.5 : 0;
     // The drawn size is known, and live changes of shape must not wait for new bounds.
     this.geometry.boundingSphere = new Sphere(new Vector3(), 4);
     this.mesh.frustumCulled = false;
-    // Dots would throw shadows on those beside them.
-    this.mesh.castShadow = !isCloud;
-    this.mesh.receiveShadow = true;
     this.setPositions(model.positions);
     this.closed = isClosed(model.triangles, model.welded);
     this.inwards = facesInwards(this.#position.array as Float32Array, model.triangles);
     this.dotSize = isCloud ? dotSize(this.#position.array as Float32Array, model.triangles) : 0;
     this.insideUnknown = isCloud || isSoup(model.triangles, model.welded);
+    this.#screen?.setBehind(2.5 * this.dotSize);
+    // Shadows are looked up a little outside of a surface, which a turned triangle has on its other side.
+    this.mesh.castShadow = !isCloud;
+    this.mesh.receiveShadow = !this.insideUnknown;
   }
 
   /** Places as now shown, model space. */
@@ -87,8 +93,7 @@ export class ModelView {
 
   /** Closed surfaces show one side: at their outline the far side would flicker through the near one. */
   get side(): Side {
-    // Of dots the side only says which way their normals are to be taken.
-    if (!this.closed && !this.#dots) return DoubleSide;
+    if (!this.closed || this.#dots) return DoubleSide;
     return this.inwards ? BackSide : FrontSide;
   }
 
@@ -182,6 +187,7 @@ export class ModelView {
     this.drawOwn();
     this.geometry.dispose();
     this.#dots?.dispose();
+    this.#screen?.dispose();
   }
 
   #setDrawn(name: string, attribute: BufferAttribute): void {

@@ -16,12 +16,11 @@ uniform float dotSize;    // 0: a surface is drawn
 uniform float pixelsTall; // of the picture
 `;
 
-/** Points stand as dots on the side that is seen; those of the other side would shine through between them. */
+/** Points stand as dots that are lit on the side that is seen: the surface through them may be turned either way, and each way in part. */
 export const VERTEX_DOT = /* glsl */ `
 gl_PointSize = max(1.5, 0.5 * dotSize * projectionMatrix[1][1] * pixelsTall / gl_Position.w);
 #ifndef FLAT_SHADED
-if (dotSize > 0.0 && dot(vNormal, isOrthographic ? vec3(0.0, 0.0, 1.0) : -mvPosition.xyz) < 0.0)
-  gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+if (dotSize > 0.0 && dot(vNormal, isOrthographic ? vec3(0.0, 0.0, 1.0) : -mvPosition.xyz) < 0.0) vNormal = -vNormal;
 #endif
 `;
 

@@ -116,6 +116,10 @@ function cloth({ dye = 0, heat }: Companion): MeshStandardMaterial {
     roughness: ROUGHNESS,
     metalness: 0,
     side: DoubleSide,
+    // What lies closer than its triangles are flat is drawn as lying over.
+    polygonOffset: true,
+    polygonOffsetFactor: -2,
+    polygonOffsetUnits: -400,
   });
 }
 
