@@ -7,9 +7,8 @@ import { modelOf } from './models.mjs';
 const [FEMALE, MALE, HEAVY] = bodies;
 /** Metres: of what is worn over something else. */
 const OVER = 0.006;
-/** A skirt over pants lies close; a shirt hangs over its band. */
-const OVER_PANTS = 0.004;
-const OVER_BAND = 0.016;
+/** A shirt that hangs over the band of a skirt. */
+const OVER_BAND = 0.012;
 /** Of skins that only clothes are carried by. */
 const SCAN_EDGE = 0.022;
 const FOOT_EDGE = 0.007;
@@ -45,15 +44,13 @@ function figure() {
     markers: BODY.map((vertex) => [vertex, ...Object.values(SCANS).map(place(vertex))]),
   };
   const [SOUP, POINTS] = Object.keys(SCANS);
-  const outfit = [
-    ['pants', 0],
-    ['skirt', OVER_PANTS],
-    ['shirt', OVER_BAND],
-  ];
-  const steps = [SOUP, POINTS].flatMap((to, body) =>
-    outfit.map(([garment, ease], at) => worn(outfit.length * body + at + 1, garment, FEMALE, to, ease)),
+  return recipe(
+    match,
+    worn(1, 'pants', FEMALE, SOUP),
+    worn(2, 'shirt', FEMALE, SOUP, OVER_BAND),
+    worn(3, 'skirt', FEMALE, POINTS),
+    worn(4, 'shirt', FEMALE, POINTS, OVER_BAND),
   );
-  return recipe(match, ...steps);
 }
 
 /** @returns name, title, model and recipe of each example */
