@@ -66,7 +66,7 @@ export function dressExamples() {
       'dress-heavy',
       'Shirt and skirt, another size',
       'skirt',
-      recipe(bodyMatch(), worn(1, 'shirt', FEMALE, HEAVY), worn(2, 'skirt', FEMALE, HEAVY, OVER)),
+      recipe(bodyMatch(), worn(1, 'skirt', FEMALE, HEAVY), worn(2, 'shirt', FEMALE, HEAVY, OVER_BAND)),
     ],
     ['dress-scans', 'One wardrobe, two scans', 'body-points', figure()],
     [
