@@ -41,6 +41,8 @@ const models = [
   ['body-female', 'Body, female', HUMAN],
   ['body-male', 'Body, male', HUMAN],
   ['body-heavy', 'Body, heavy', HUMAN],
+  ['body-soup', 'Body, loose triangles', HUMAN],
+  ['body-points', 'Body, points', HUMAN],
   ['head-female', 'Head, female', HUMAN],
   ['head-male', 'Head, male', HUMAN],
   ['head-elf', 'Head, elf', HUMAN],

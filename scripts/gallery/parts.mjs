@@ -8,6 +8,7 @@ import { blend, box, capsule, clamp, cylinder } from './distances.mjs';
 import { halves, implicitSurface } from './implicit-surface.mjs';
 import { folder } from './models.mjs';
 import { plyOf } from './ply.mjs';
+import { pointsOf, soupOf } from './scans.mjs';
 import { shoeOf } from './shoe.mjs';
 
 /** A pipe with a flange and four branches, all as wide: they end at y = 0. */
@@ -411,6 +412,8 @@ function rabbit() {
 }
 
 const shoe = () => shoeOf('foot-female');
+const bodySoup = () => soupOf('body-male', 'body-female');
+const bodyPoints = () => pointsOf('body-heavy');
 
 const shapes = {
   pipes,
@@ -427,11 +430,13 @@ const shapes = {
   nut,
   bear,
   rabbit,
+  'body-soup': bodySoup,
+  'body-points': bodyPoints,
 };
 const wanted = process.argv.slice(2);
 for (const [name, shape] of Object.entries(shapes)) {
   if (wanted.length > 0 && !wanted.includes(name)) continue;
-  const mesh = shape();
+  const mesh = await shape();
   writeFileSync(new URL(`${name}.ply`, folder), plyOf(mesh));
   console.log(name, mesh.points.length, 'vertices');
 }

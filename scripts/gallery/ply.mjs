@@ -1,4 +1,4 @@
-// Binary PLY as the gallery's models are kept: float positions, triangles.
+// Binary PLY as the gallery's models are kept: float positions, triangles or none.
 
 import { readFileSync } from 'node:fs';
 
@@ -11,8 +11,9 @@ export function plyOf({ points, triangles }) {
     'property float x',
     'property float y',
     'property float z',
-    `element face ${triangles.length}`,
-    'property list uchar int vertex_indices',
+    ...(triangles.length > 0
+      ? [`element face ${triangles.length}`, 'property list uchar int vertex_indices']
+      : []),
     'end_header\n',
   ].join('\n');
   const body = Buffer.alloc(12 * points.length + 13 * triangles.length);
@@ -27,14 +28,14 @@ export function plyOf({ points, triangles }) {
 }
 
 /**
- * @param file  a binary little-endian PLY: per vertex x, y, z first, faces lists of uchar and int, in this order
+ * @param file  a binary little-endian PLY: per vertex x, y, z first, faces lists of uchar and int, in this order; or no faces
  * @returns points, faces, and `scalp`: the vertices whose last property, a uchar, is not 0
  */
 export function readPly(file) {
   const bytes = readFileSync(file);
   const end = bytes.indexOf('end_header\n') + 'end_header\n'.length;
   const header = bytes.subarray(0, end).toString('latin1');
-  const count = (element) => Number(new RegExp(`element ${element} (\\d+)`).exec(header)[1]);
+  const count = (element) => Number(new RegExp(`element ${element} (\\d+)`).exec(header)?.[1] ?? 0);
   const sizes = { float: 4, double: 8, uchar: 1, char: 1, short: 2, ushort: 2, int: 4, uint: 4 };
   const properties = [...header.split('element face')[0].matchAll(/property (\w+) \w+/g)];
   const stride = properties.reduce((sum, [, type]) => sum + sizes[type], 0);

@@ -18,6 +18,8 @@ const wanted = process.argv.slice(2);
 const all = [...examples, ...models].filter(({ name }) => wanted.length === 0 || wanted.includes(name));
 /** Faces are looked at from near, a little from the side. */
 const OF_FACE = /^face-|^curves-(brow|ears)$/;
+/** A card needs less air around a model than a gizmo does; what is taller than the model it is framed by needs it. */
+const distanceOf = (name) => (name === 'blend-bodies' ? 1.04 : 0.87);
 const isHair = ({ name }) => name.startsWith('hair-');
 await pictures(
   all.filter((entry) => !isHair(entry)),
@@ -50,8 +52,7 @@ async function pictures(entries, ofHair) {
         else if (handles.some(({ kind }) => kind === 'point')) await app.commands.run('step.apply');
         await app.evaluator.settled();
       }, name);
-      // A card needs less air around a model than a gizmo does.
-      await page.evaluate(bare, { distance: 0.87 });
+      await page.evaluate(bare, { distance: distanceOf(name) });
       if (OF_FACE.test(name)) await page.evaluate(cameraOnHead, { azimuth: 18, share: 0.82 });
       if (ofHair) {
         await page.evaluate(cameraOnHead);

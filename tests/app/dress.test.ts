@@ -1,5 +1,6 @@
 // The dress workspace on a kernel of few lines: cloth goes along with the body's first vertex, and up by the ease.
 
+import { effect } from '@preact/signals';
 import { afterEach, beforeEach, expect, test, vi } from 'vitest';
 import { parseRecipe } from '../../web/recipe/parse';
 import { matchedTab, settled, stubGallery } from './matched';
@@ -80,6 +81,29 @@ test('the same garment is fitted to the next body, and another one is worn with 
   await settled(tab);
   expect(step(tab)).toMatchObject({ id: 'dress 3', to: 'cid' });
   expect(tab.dressState.others.value.map(({ id }) => id)).toEqual(['dress 2']);
+});
+
+test('what one body wears beside is never seen on the next', async () => {
+  const tab = await dressed();
+  await tab.app.commands.run('dress.another');
+  await settled(tab);
+  await tab.app.commands.run('dress.add');
+  tab.app.state.choosing.value!.choose('coat', { builtin: 'coat' });
+  await settled(tab);
+  const seen = new Set<string>();
+  const stop = effect(() => {
+    const wearer = tab.app.evaluator.result.value?.wearer?.model.name;
+    const others = tab.dressState.others.value;
+    // Once all who follow the result have.
+    queueMicrotask(() => {
+      if (wearer === 'bob' && tab.dressState.others.peek() === others)
+        for (const { id } of others) seen.add(id);
+    });
+  });
+  tab.dress.setTo('bob');
+  await settled(tab);
+  stop();
+  expect([...seen]).toEqual(['dress 1']);
 });
 
 test('what is exported is the garment, not who wears it', async () => {

@@ -7,10 +7,13 @@ import {
   FrontSide,
   type GLBufferAttribute,
   Mesh,
+  Points,
   type Side,
   Sphere,
   Vector3,
 } from 'three';
+import { DotScreen } from './dot-screen';
+import { dotSize, isSoup } from './loose';
 import { facesInwards, isClosed, VertexNormals } from './normals';
 import { assignChannels, type Channel } from './region-channels';
 import { SurfaceGraph } from './surface-graph';
@@ -29,12 +32,19 @@ export class ModelView {
   readonly geometry = new BufferGeometry();
   /** Places, normals and triangles as they were last set, whatever is drawn meanwhile: for picking. */
   readonly surface = new BufferGeometry();
-  readonly mesh: Mesh;
+  /** In the scene: the surface, or for a model without faces its points. */
+  readonly mesh: Mesh | Points;
+  /** Diameter of the points that are drawn, drawn units; 0: a surface is. */
+  readonly dotSize: number;
+  /** Its triangles have no common inside: a soup, or points without any. */
+  readonly insideUnknown: boolean;
   readonly space: ViewSpace;
   /** Encloses space with its faces turned inwards. */
   readonly inwards: boolean;
   /** Has an outside only: nobody sees its inner side. */
   readonly closed: boolean;
+  readonly #dots: BufferGeometry | undefined;
+  readonly #screen: DotScreen | undefined;
   readonly #normals: VertexNormals;
   readonly #position: BufferAttribute;
   readonly #normal: BufferAttribute;
@@ -58,15 +68,24 @@ export class ModelView {
     }
     if (model.colors) this.geometry.setAttribute('paint', new BufferAttribute(model.colors, 4, true));
     this.#normals = new VertexNormals(model.triangles, model.welded);
-    this.mesh = new Mesh(this.geometry);
+    const isCloud = model.faceOffsets.length <= 1;
+    this.#dots = isCloud ? dotsOf(this.geometry) : undefined;
+    this.mesh = this.#dots ? new Points(this.#dots) : new Mesh(this.geometry);
+    this.#screen = isCloud ? new DotScreen(this.geometry) : undefined;
+    if (this.#screen) this.mesh.add(this.#screen.mesh);
+    this.mesh.renderOrder = isCloud ? 1.5 : 0;
     // The drawn size is known, and live changes of shape must not wait for new bounds.
     this.geometry.boundingSphere = new Sphere(new Vector3(), 4);
     this.mesh.frustumCulled = false;
-    this.mesh.castShadow = true;
-    this.mesh.receiveShadow = true;
     this.setPositions(model.positions);
     this.closed = isClosed(model.triangles, model.welded);
     this.inwards = facesInwards(this.#position.array as Float32Array, model.triangles);
+    this.dotSize = isCloud ? dotSize(this.#position.array as Float32Array, model.triangles) : 0;
+    this.insideUnknown = isCloud || isSoup(model.triangles, model.welded);
+    this.#screen?.setBehind(2.5 * this.dotSize);
+    // Shadows are looked up a little outside of a surface, which a turned triangle has on its other side.
+    this.mesh.castShadow = !isCloud;
+    this.mesh.receiveShadow = !this.insideUnknown;
   }
 
   /** Places as now shown, model space. */
@@ -74,7 +93,7 @@ export class ModelView {
 
   /** Closed surfaces show one side: at their outline the far side would flicker through the near one. */
   get side(): Side {
-    if (!this.closed) return DoubleSide;
+    if (!this.closed || this.#dots) return DoubleSide;
     return this.inwards ? BackSide : FrontSide;
   }
 
@@ -109,13 +128,13 @@ export class ModelView {
   /** Draws vertices that are kept elsewhere, until `drawOwn`. */
   drawOther(position: GLBufferAttribute, normal: GLBufferAttribute): void {
     // three takes them, its types do not.
-    this.geometry.setAttribute('position', position as unknown as BufferAttribute);
-    this.geometry.setAttribute('normal', normal as unknown as BufferAttribute);
+    this.#setDrawn('position', position as unknown as BufferAttribute);
+    this.#setDrawn('normal', normal as unknown as BufferAttribute);
   }
 
   drawOwn(): void {
-    this.geometry.setAttribute('position', this.#position);
-    this.geometry.setAttribute('normal', this.#normal);
+    this.#setDrawn('position', this.#position);
+    this.#setDrawn('normal', this.#normal);
   }
 
   /** @returns what each channel now holds, for the material's colours */
@@ -148,7 +167,7 @@ export class ModelView {
     const array = attribute.array as Float32Array;
     for (let v = 0; v < array.length; v++) array[v] = ((values[v] ?? 0) - low) * span;
     attribute.needsUpdate = true;
-    this.geometry.setAttribute('heat', attribute);
+    this.#setDrawn('heat', attribute);
   }
 
   /** The posed vertices (or some of them), 3 numbers each, in drawn units. */
@@ -167,6 +186,12 @@ export class ModelView {
     // What is drawn from elsewhere is freed there.
     this.drawOwn();
     this.geometry.dispose();
+    this.#dots?.dispose();
+    this.#screen?.dispose();
+  }
+
+  #setDrawn(name: string, attribute: BufferAttribute): void {
+    for (const geometry of [this.geometry, this.#dots]) geometry?.setAttribute(name, attribute);
   }
 
   #draw(positions: Float64Array, places: Float32Array, normals: Float32Array): void {
@@ -191,4 +216,11 @@ export class ModelView {
     this.#touch.get(a)!.set(b, answer);
     return answer;
   }
+}
+
+/** The vertices of a geometry, each once, with all that is known of them. */
+function dotsOf(geometry: BufferGeometry): BufferGeometry {
+  const dots = new BufferGeometry();
+  for (const [name, attribute] of Object.entries(geometry.attributes)) dots.setAttribute(name, attribute);
+  return dots;
 }

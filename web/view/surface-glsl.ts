@@ -1,5 +1,5 @@
 // What every surface material adds to three's own shading: painted regions, heat, vertex colours, the
-// inside of open surfaces and the brush's ring. Lines are measured in pixels by the screen-space gradient
+// inside of open surfaces, points as dots and the brush's ring. Lines are measured in pixels by the screen-space gradient
 // of the field they are a level of.
 
 export const VERTEX_DECLARATIONS = /* glsl */ `
@@ -12,6 +12,16 @@ varying vec4 vRegionsHigh;
 varying float vHeat;
 varying vec3 vPaint;
 varying vec3 vPlace;
+uniform float dotSize;    // 0: a surface is drawn
+uniform float pixelsTall; // of the picture
+`;
+
+/** Points stand as dots that are lit on the side that is seen: the surface through them may be turned either way, and each way in part. */
+export const VERTEX_DOT = /* glsl */ `
+gl_PointSize = max(1.5, 0.5 * dotSize * projectionMatrix[1][1] * pixelsTall / gl_Position.w);
+#ifndef FLAT_SHADED
+if (dotSize > 0.0 && dot(vNormal, isOrthographic ? vec3(0.0, 0.0, 1.0) : -mvPosition.xyz) < 0.0) vNormal = -vNormal;
+#endif
 `;
 
 export const VERTEX_BODY = /* glsl */ `
@@ -39,6 +49,7 @@ uniform bool paintShown;
 uniform vec3 interior;
 uniform bool inwards;
 uniform float insideShown;
+uniform float dotSize;
 uniform vec3 brushCentre;
 uniform vec3 brushNormal;
 uniform vec3 brushSide;
@@ -70,6 +81,7 @@ vec3 toLinear(vec3 c) {
  * @param shades  what layers do to `base`
  */
 export const fragmentColour = (shades: string): string => /* glsl */ `
+if (dotSize > 0.0 && length(gl_PointCoord - 0.5) > 0.5) discard;
 vec4 over = vec4(0.0);
 {
   vec3 base = diffuseColor.rgb;

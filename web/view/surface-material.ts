@@ -15,6 +15,7 @@ import {
 } from 'three';
 import { heatTexels } from './heat';
 import { matcapTexture } from './matcaps';
+import type { ModelView } from './model-view';
 import { CLAY, INTERIOR, LARGE, type Palette } from './palette';
 import { CHANNELS, type Channel } from './region-channels';
 import {
@@ -23,9 +24,10 @@ import {
   fragmentColour,
   VERTEX_BODY,
   VERTEX_DECLARATIONS,
+  VERTEX_DOT,
 } from './surface-glsl';
 import type { SurfaceShade } from './surface-shade';
-import type { DisplayOptions, Hit, ViewModel } from './values';
+import type { DisplayOptions, Hit } from './values';
 import type { ViewSpace } from './view-space';
 
 /** Over clay in either theme. */
@@ -56,6 +58,8 @@ export class SurfaceMaterials {
     interior: { value: new Color(INTERIOR) },
     inwards: { value: false },
     insideShown: { value: 1 },
+    dotSize: { value: 0 },
+    pixelsTall: { value: 1 },
     brushCentre: { value: new Vector3() },
     brushNormal: { value: new Vector3(0, 1, 0) },
     brushSide: { value: new Vector3(1, 0, 0) },
@@ -71,7 +75,9 @@ export class SurfaceMaterials {
     this.#heatMap.needsUpdate = true;
   }
 
-  of({ shading, smooth }: Pick<DisplayOptions, 'shading' | 'smooth'>, side: Side): Material {
+  of({ shading, smooth: wanted }: Pick<DisplayOptions, 'shading' | 'smooth'>, side: Side): Material {
+    // A dot has no slope on screen that a flat normal could be read from.
+    const smooth = wanted || this.uniforms.dotSize.value > 0;
     const material = this.#made.get(shading) ?? this.#make(shading);
     this.#made.set(shading, material);
     if (material.flatShading === smooth || material.side !== side) {
@@ -82,10 +88,11 @@ export class SurfaceMaterials {
     return material;
   }
 
-  /** Which side is the inside; points without faces have none. */
-  setSides({ inwards, model }: { readonly inwards: boolean; readonly model: ViewModel }): void {
-    this.uniforms.inwards.value = inwards;
-    this.uniforms.insideShown.value = model.faceOffsets.length > 1 ? 1 : 0;
+  /** Which side is the inside, where there is one; and whether it is drawn as dots, which face the eye whatever is their inside. */
+  setSides(view: Pick<ModelView, 'inwards' | 'insideUnknown' | 'dotSize'>): void {
+    this.uniforms.inwards.value = view.inwards && view.dotSize === 0;
+    this.uniforms.insideShown.value = view.insideUnknown ? 0 : 1;
+    this.uniforms.dotSize.value = view.dotSize;
   }
 
   setChannels(channels: readonly Channel[], palette: Palette): void {
@@ -165,7 +172,7 @@ export class SurfaceMaterials {
     shader.vertexShader =
       VERTEX_DECLARATIONS +
       all(({ vertexDeclarations }) => vertexDeclarations) +
-      after(shader.vertexShader, 'begin_vertex', body);
+      after(after(shader.vertexShader, 'begin_vertex', body), 'project_vertex', VERTEX_DOT);
     shader.fragmentShader =
       FRAGMENT_DECLARATIONS +
       all(({ declarations }) => declarations) +

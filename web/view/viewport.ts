@@ -370,6 +370,7 @@ export class Viewport implements ViewportPort {
     this.#renderer.setPixelRatio(pixelRatio);
     this.#renderer.setSize(width, height, false);
     this.#materials.uniforms.pixelRatio.value = pixelRatio;
+    this.#materials.uniforms.pixelsTall.value = pixelRatio * height;
     this.#layers.resize(width, height, pixelRatio);
     this.#rig.resize(width, height);
   }

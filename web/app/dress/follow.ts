@@ -11,6 +11,8 @@ import type { DressFigures, DressState, Worn } from './state';
 
 export class Follow {
   readonly #work: NewestWork;
+  /** Whose other garments are on screen. */
+  #wearer: string | undefined;
 
   constructor(
     private readonly own: DressState,
@@ -24,7 +26,10 @@ export class Follow {
     this.#work.end();
     own.figures.value = shown && figuresOf(shown);
     own.problem.value = problemText(shown, 'dress.problem.');
-    if (!shown) own.others.value = [];
+    const wearer = shown?.step.type === 'dress' ? shown.step.to : undefined;
+    // On another body they would stand in the wrong place until they are fitted.
+    if (wearer !== this.#wearer) own.others.value = [];
+    this.#wearer = wearer;
     if (shown?.step.type !== 'dress' || !shown.settled) return;
     const { recipe, step } = shown;
     this.#work.start((signal) => this.#follow(recipe, step, signal));

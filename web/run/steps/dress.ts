@@ -1,7 +1,8 @@
 // The dress step: what was made for one model is worn by another (Skins 5.2). The map between them once, then the ease is cheap.
 
+import type { Finding } from '../../core/errors';
 import { hashValue } from '../../core/hash';
-import { withPositions } from '../../core/model';
+import { faceCount, withPositions } from '../../core/model';
 import type { InsideCount } from '../../kernel/contract/wear';
 import type { DressStep } from '../../recipe/steps/dress';
 import type { ModelResult } from '../types';
@@ -16,6 +17,9 @@ export interface DressFigures {
   /** Of pushing out. */
   readonly iterations: number;
 }
+
+/** As the kernel tells it of a soup. */
+const ONLY_SKIN: Finding = { code: 'model-without-inside', count: 1, examples: [], repaired: true };
 
 export const dressRunner = {
   /** The one on screen, and the one to switch back to. */
@@ -34,8 +38,12 @@ export const dressRunner = {
     const skins = models!;
     const names = Object.keys(skins);
     const body = inputs[names.indexOf(step.to)]!;
+    // The surface that is drawn through points joins limbs that are close, and legs would be told to be inside of it.
+    const isSurface = faceCount(body.model) > 0;
     // It may be long since the match was made.
-    const { opened } = await context.kernel.open(body.model, context.signal, body.key);
+    const opened = isSurface
+      ? (await context.kernel.open(body.model, context.signal, body.key)).opened
+      : undefined;
     const prepared = await context.kernel.hold(
       'prepareDress',
       hashValue({ garment: garment.key, skins: skin.key, from: step.from, to: step.to }),
@@ -44,7 +52,7 @@ export const dressRunner = {
         triangles: skin.model.faceVertices,
         from: skins[step.from]!.positions,
         to: skins[step.to]!.positions,
-        model: opened.id,
+        model: opened?.id,
       },
       { ...signalOf(context), onProgress: (fraction) => context.onProgress(0.8 * fraction) },
     );
@@ -63,7 +71,7 @@ export const dressRunner = {
       },
       seconds: { ...prepared.seconds, ...dressed.seconds },
       peakBytes: prepared.peakBytes,
-      warnings: dressed.warnings,
+      warnings: [...dressed.warnings, ...(isSurface ? [] : [ONLY_SKIN])],
     };
   },
 } satisfies StepRunner<DressStep>;

@@ -116,6 +116,10 @@ function cloth({ dye = 0, heat }: Companion): MeshStandardMaterial {
     roughness: ROUGHNESS,
     metalness: 0,
     side: DoubleSide,
+    // What lies closer than its triangles are flat is drawn as lying over; by slopes as well, triangles that are seen edge-on would show.
+    polygonOffset: true,
+    polygonOffsetFactor: 0,
+    polygonOffsetUnits: -400,
   });
 }
 
