@@ -128,7 +128,7 @@ function PoseFirst({ name }: { name: string }) {
           key={by}
           kind="solid"
           icon={wings[by].icon}
-          label={t(`wing.${by}.title`)}
+          label={t(`ui.match.pose.by.${by}`)}
           title={t(`ui.match.pose.${by}`)}
           onClick={() => match.pose(at, by)}
         />
