@@ -182,6 +182,54 @@ describe('a file with joints', () => {
     expect(rig!.joints[2]!.bind.slice(12, 15)).toEqual([1, 5, 0]);
   });
 
+  test('joints are where they are while the model is at rest, whatever pose and place they are shown in', () => {
+    // The knee is bent in the file; the mesh was bound 2 below its hip, all of it mirrored.
+    const inverses = [
+      ...[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 2, 0, 1],
+      ...[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 5, 0, 1],
+    ];
+    const { model } = rigged((json) => {
+      json.nodes[1].scale = [-1, 1, 1];
+      json.nodes[3].rotation = [0, 0, Math.SQRT1_2, Math.SQRT1_2];
+      json.buffers.push({
+        byteLength: 128,
+        uri: `data:;base64,${Buffer.from(Float32Array.from(inverses).buffer).toString('base64')}`,
+      });
+      json.bufferViews.push({ buffer: 1, byteLength: 128 });
+      json.accessors.push({ bufferView: 3, componentType: 5126, type: 'MAT4', count: 2 });
+      json.skins[0].inverseBindMatrices = 3;
+    });
+    expect([...model.positions.subarray(0, 9)]).toEqual([1, 2, 0, 0, 2, 0, 1, 3, 0]);
+    const [hip, knee] = model.rig!.joints.map(({ bind }) => bind);
+    expectNear(hip!, [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, 0, 0, 1]);
+    expectNear(knee!, [-1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 1, -3, 0, 1]);
+    const { origin: _origin, ...loose } = model;
+    expectRig(again(loose).model.rig, model.rig!);
+  });
+
+  test.each([
+    ['alike share them', [0, 0, 0], ['hip', 'knee', 'hat'], [-1, 0, 0]],
+    ['apart have their own of those', [0, 7, 0], ['hip', 'knee', 'hat', 'hip'], [-1, 0, 0, -1]],
+  ])('skins that bind the same joints %s', (_, [x, y, z], names, parents) => {
+    const { rig } = rigged((json) => {
+      const matrix = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
+      json.buffers.push({
+        byteLength: 256,
+        uri: `data:;base64,${Buffer.from(Float32Array.from([...IDENTITY, ...IDENTITY, ...IDENTITY, ...matrix]).buffer).toString('base64')}`,
+      });
+      json.bufferViews.push({ buffer: 1, byteLength: 128 }, { buffer: 1, byteOffset: 128, byteLength: 128 });
+      for (const bufferView of [3, 4])
+        json.accessors.push({ bufferView, componentType: 5126, type: 'MAT4', count: 2 });
+      json.skins[0].inverseBindMatrices = 3;
+      // In the other order: the knee places both meshes alike, so that only the hip may be bound elsewhere.
+      json.skins.push({ joints: [3, 1], inverseBindMatrices: 4 });
+      json.nodes.push({ mesh: 0, skin: 1 });
+      json.scenes[0].nodes.push(5);
+    }).model;
+    expect(rig!.joints.map(({ name }) => name).sort()).toEqual([...names].sort());
+    expect(rig!.joints.map(({ parent }) => parent).sort()).toEqual([...parents].sort());
+  });
+
   test.each<[string, (json: ReturnType<typeof JSON.parse>) => void]>([
     ['weights of other vertices', (json) => (json.accessors[2].count = 2)],
     ['an accessor that is missing', (json) => (json.meshes[0].primitives[0].attributes.JOINTS_0 = 77)],

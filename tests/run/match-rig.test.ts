@@ -1,9 +1,12 @@
 // Joints through a match: read off for the first skin, brought to where they belong in the other bodies, and blended.
 
+import { type SkinnedMesh, Vector3 } from 'three';
+import { GLTFLoader } from 'three/examples/jsm/loaders/GLTFLoader.js';
 import { beforeAll, describe, expect, test } from 'vitest';
 import { type Affine, IDENTITY, multiply } from '../../web/core/affine';
 import type { Model } from '../../web/core/model';
 import type { Rig } from '../../web/core/rig';
+import { readModel, writeModel } from '../../web/io/formats';
 import { loadKernel } from '../../web/kernel/node';
 import { parseRecipe } from '../../web/recipe/parse';
 import { carriedRig } from '../../web/run/carried-rig';
@@ -89,7 +92,9 @@ describe('a match', () => {
   const SHAPES = { pear: pear(), plum: plum() };
   const { ends: _ends, ...source } = SHAPES.pear;
   const MODELS: Record<string, Model> = {
-    pear: { name: 'pear', ...source, rig: rigOf(source.positions) },
+    // As it comes from a file.
+    pear: readModel(writeModel({ name: 'pear', ...source, rig: rigOf(source.positions) }, 'glb'), 'pear.glb')
+      .model,
     plum: { name: 'plum', ...SHAPES.plum },
   };
   let skins: Readonly<Record<string, Model>>;
@@ -132,5 +137,41 @@ describe('a match', () => {
   test('a blend has them where they are on a skin of its shape', () => {
     for (const [joint, { bind }] of blend.rig!.joints.entries())
       expectAffine(bind, skins.plum!.rig!.joints[joint]!.bind, 6);
+  });
+
+  test('its skins open as skinned meshes: at rest their shape, a turned joint takes along what is its', async () => {
+    for (const skin of [skins.pear!, skins.plum!]) {
+      const { scene } = await new GLTFLoader().parseAsync(
+        writeModel(skin, 'glb').slice().buffer as ArrayBuffer,
+        '',
+      );
+      scene.updateMatrixWorld(true);
+      let mesh!: SkinnedMesh;
+      scene.traverse((node) => {
+        if ('isSkinnedMesh' in node) mesh = node as SkinnedMesh;
+      });
+      const shown = (v: number) => mesh.getVertexPosition(v, new Vector3()).toArray();
+      const rest = (v: number) => [...skin.positions.subarray(3 * v, 3 * v + 3)];
+      const above = mesh.skeleton.bones.find(({ name }) => name === 'above')!;
+      mesh.skeleton.update();
+      const count = skin.positions.length / 3;
+      for (let v = 0; v < count; v++) expectAffine(shown(v), rest(v), 5);
+      above.position.x += 2;
+      scene.updateMatrixWorld(true);
+      mesh.skeleton.update();
+      // The joint below carries it, and may be turned and scaled: how far two went is as its share of the weights.
+      const way = new Vector3(2, 0, 0)
+        .transformDirection(above.parent!.matrixWorld)
+        .multiplyScalar(2 * above.parent!.getWorldScale(new Vector3()).x);
+      const { indices, weights } = skin.rig!;
+      for (let v = 0; v < count; v++) {
+        const share = [0, 1, 2, 3].reduce(
+          (sum, k) => sum + (indices[4 * v + k] === 1 ? weights[4 * v + k]! : 0),
+          0,
+        );
+        const wanted = way.toArray().map((x, k) => rest(v)[k]! + share * x);
+        expectAffine(shown(v), wanted, 5);
+      }
+    }
   });
 });
