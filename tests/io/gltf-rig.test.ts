@@ -239,6 +239,7 @@ describe('a file with joints', () => {
     ['no joint', (json) => (json.skins[0].joints = [])],
     ['a skin that is missing', (json) => (json.nodes[0].skin = 5)],
     ['matrices that are none', (json) => (json.skins[0].inverseBindMatrices = 0)],
+    ['a joint as small as nothing', (json) => (json.nodes[1].scale = [1e-60, 1e-60, 1e-60])],
     ['matrices that are missing', (json) => (json.skins[0].inverseBindMatrices = 99)],
   ])('%s: told of, and opened without', (_, change) => {
     const { model, notes } = rigged(change);

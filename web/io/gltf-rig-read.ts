@@ -1,5 +1,5 @@
 import { type Affine, multiply } from '../core/affine';
-import type { LissomError } from '../core/errors';
+import { LissomError } from '../core/errors';
 import type { Model } from '../core/model';
 import type { Rig, RigJoint } from '../core/rig';
 import { invert } from './affine';
@@ -25,8 +25,9 @@ interface Joint {
 
 /** Bytes of a joint: its matrix, its place in lists. */
 const JOINT = 400;
-/** Bytes of an influence: twice as it is read, as it is kept of the run and of the model. */
-const INFLUENCE = 2 * 8 + 2 * (2 + 4);
+/** Bytes of an influence, as it is kept of a run and again of the model, and as it is read. */
+const KEPT = 2 + 4;
+const READ = 2 * 8;
 /** Indices of joints are 16 bits wide. */
 const MOST = 65535;
 /** How far two skins may bind a joint apart, relative to the largest number of its matrix, and have it in common. */
@@ -87,7 +88,12 @@ export class RigReader {
   ): Pick<Model, 'rig'> {
     if (!this.#weighted || this.#fault) return {};
     const influences = parts.some((part) => part.influences!.width > SET) ? 8 : 4;
-    this.budget.take(6 * influences * vertices);
+    const bytes = KEPT * influences * vertices;
+    if (!this.budget.holds(bytes)) {
+      this.#fault = this.#tooMuch();
+      return {};
+    }
+    this.budget.take(bytes);
     const indices = new Uint16Array(influences * vertices);
     const weights = new Float32Array(influences * vertices);
     for (const { first, count, influences: of } of parts) {
@@ -146,7 +152,9 @@ export class RigReader {
 
   /** Skins share a joint where they bind it alike. */
   #number(joint: Joint): number {
-    if (!joint.bind.every(Number.isFinite))
+    // Both ways in single precision: as it is written again.
+    const back = invert(joint.bind);
+    if (!back || ![...joint.bind, ...back].every((x) => Number.isFinite(Math.fround(x))))
       throw gltfDamaged(this.document.file, `node ${joint.node} is bound beyond what numbers can hold`);
     const first = this.#firstOf.get(joint.node);
     const shared = first !== undefined && alike(this.#joints[first]!.bind, joint.bind);
@@ -163,7 +171,9 @@ export class RigReader {
     joints: readonly number[],
   ): Influences {
     const width = attributes.JOINTS_1 !== undefined && attributes.WEIGHTS_1 !== undefined ? 8 : 4;
-    this.budget.take((INFLUENCE - 8) * width * count);
+    const bytes = KEPT * width * count;
+    if (!this.budget.holds(bytes + READ * width * count)) throw this.#tooMuch();
+    this.budget.take(bytes);
     const indices = new Uint16Array(width * count);
     const weights = new Float32Array(width * count);
     const sums = new Float64Array(count);
@@ -195,6 +205,12 @@ export class RigReader {
       }
     }
     return { width, indices, weights, whole: -1 };
+  }
+
+  /** Not damaged, and no reason to refuse the rest. */
+  #tooMuch(): LissomError {
+    const message = `The weights of ${this.document.file} unfold too far: it repeats what it holds too often.`;
+    return new LissomError('count-too-large', message);
   }
 
   #set(index: number, count: number, types?: readonly number[]): Float64Array {

@@ -30,9 +30,12 @@ export function carriedRig(rig: Rig, triangles: Uint32Array, from: Float64Array,
   const body = whole.similarity() ?? IDENTITY;
   const own = fits.map((fit) => fit.similarity());
   const goesBy = (joint: number): Affine => {
+    const open: number[] = [];
     let at = joint;
-    while (at >= 0 && !own[at]) at = rig.joints[at]!.parent;
-    return own[at] ?? body;
+    for (; at >= 0 && !own[at]; at = rig.joints[at]!.parent) open.push(at);
+    const found = own[at] ?? body;
+    for (const each of open) own[each] = found;
+    return found;
   };
   const joints = rig.joints.map((joint, at) => ({ ...joint, bind: multiply(goesBy(at), joint.bind) }));
   return { ...rig, joints };
