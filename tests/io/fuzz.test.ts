@@ -1,5 +1,6 @@
 import fc from 'fast-check';
 import { expect, test } from 'vitest';
+import { IDENTITY } from '../../web/core/affine';
 import { LissomError } from '../../web/core/errors';
 import { readModel, readProject, writeModel, writeProject } from '../../web/io';
 import { bytes, makeModel, read } from './support';
@@ -22,6 +23,19 @@ const FILES: [string, Uint8Array][] = (['obj', 'ply', 'stl', 'glb', 'gltf'] as c
   format,
   writeModel(MODEL, format),
 ]);
+const RIGGED = {
+  ...MODEL,
+  rig: {
+    joints: [
+      { name: 'hip', parent: -1, bind: IDENTITY },
+      { name: 'knee', parent: 0, bind: IDENTITY },
+    ],
+    influences: 4 as const,
+    indices: Uint16Array.from({ length: 16 }, (_, k) => k % 2),
+    weights: new Float32Array(16).fill(0.25),
+  },
+};
+for (const format of ['glb', 'gltf'] as const) FILES.push([`rigged ${format}`, writeModel(RIGGED, format)]);
 for (const format of ['ply', 'stl'] as const)
   FILES.push([`ascii ${format}`, writeModel(MODEL, format, { ascii: true })]);
 FILES.push(['off', bytes('OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n')]);

@@ -1,4 +1,5 @@
 import { beforeAll, describe, expect, test } from 'vitest';
+import { IDENTITY } from '../../web/core/affine';
 import type { Model } from '../../web/core/model';
 import { vertexCount } from '../../web/core/model';
 import type { KernelPort } from '../../web/kernel/contract';
@@ -172,4 +173,19 @@ test.each<[string, object]>([
   ],
 ])('%s is said in words', async (code, step) => {
   await expect(run(step)).rejects.toMatchObject({ code, fault: 'input' });
+});
+
+test('joints of the models are left out, and told of', async () => {
+  const count = vertexCount(target);
+  const rig = {
+    joints: [{ name: 'root', parent: -1, bind: IDENTITY }],
+    influences: 4 as const,
+    indices: new Uint16Array(4 * count),
+    weights: Float32Array.from({ length: 4 * count }, (_, k) => (k % 4 === 0 ? 1 : 0)),
+  };
+  const { model, report } = await run({ boundaries: [boundary] }, { source, target: { ...target, rig } });
+  expect(model.rig).toBeUndefined();
+  expect(report.warnings.filter(({ code }) => code === 'rig-left-out')).toMatchObject([{ count: 1 }]);
+  const without = await run({ boundaries: [boundary] });
+  expect(without.report.warnings.map(({ code }) => code)).not.toContain('rig-left-out');
 });

@@ -1,6 +1,8 @@
 // A model as its file gave it. What goes out has the topology that came in: vertex order, polygons,
 // colours, texture coordinates, names, unit and up-axis.
 
+import type { Rig } from './rig';
+
 /** One named run of faces: an OBJ group, object or material; a glTF primitive. Face indices, end excluded. */
 export interface FaceGroup {
   readonly name: string;
@@ -38,6 +40,8 @@ export interface Model {
   readonly vertexSets?: Readonly<Record<string, Uint32Array>>;
   /** Shapes that it can take beside its own. */
   readonly morphs?: readonly Morph[];
+  /** Joints that move it, and how much of each vertex is whose. */
+  readonly rig?: Rig;
   /** What the format said about unit and axis; `undefined` where it says nothing. */
   readonly unitMetres?: number;
   readonly upAxis?: 'y' | 'z';

@@ -1,17 +1,5 @@
 import { type Affine, IDENTITY } from '../core/affine';
 
-/** a · b: first b, then a. */
-export function multiply(a: Affine, b: Affine): Affine {
-  const out: number[] = [];
-  for (let column = 0; column < 4; column++)
-    for (let row = 0; row < 4; row++) {
-      let sum = 0;
-      for (let k = 0; k < 4; k++) sum += a[4 * k + row]! * b[4 * column + k]!;
-      out.push(sum);
-    }
-  return out;
-}
-
 /** Translation · rotation (unit quaternion x y z w) · scale. */
 export function compose(t: readonly number[], q: readonly number[], s: readonly number[]): Affine {
   const [x, y, z, w] = q as [number, number, number, number];

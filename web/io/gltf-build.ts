@@ -23,7 +23,7 @@ interface Rows {
   readonly faces: Uint32Array;
 }
 
-/** What else goes into a document: written to its buffer at once, put into its JSON at the end. */
+/** What else goes into a document: written to its buffer at once, put into its JSON at the end. Nodes and targets are of one addition. */
 export type GltfAddition = (found: {
   readonly binary: BufferBuilder;
   /** Model vertex of each row of the attributes. */
@@ -33,10 +33,10 @@ export type GltfAddition = (found: {
   /** Of the node with the mesh. */
   readonly placement: Placement;
 }) => {
-  readonly attributes: Readonly<Record<string, number>>;
+  readonly attributes?: Readonly<Record<string, number>>;
   /** In the place of the node with the mesh; those that are not its children are shown beside it. */
-  readonly nodes: (mesh: GltfNode) => { readonly nodes: GltfNode[]; readonly shown: number[] };
-  readonly more: Readonly<Record<string, unknown>>;
+  readonly nodes?: (mesh: GltfNode) => { readonly nodes: GltfNode[]; readonly shown: number[] };
+  readonly more?: Readonly<Record<string, unknown>>;
   /** Attributes of each morph target, and what the targets are called. */
   readonly targets?: readonly Readonly<Record<string, number>>[];
   readonly targetNames?: readonly string[];
@@ -46,36 +46,42 @@ export type GltfAddition = (found: {
  * A document with one node and one mesh, a primitive for each group. The node turns the model's unit and axis into
  * metres with y up, and holds the place of a model far from its origin, which single precision could not.
  */
-export function buildGltf(model: Model, addition?: GltfAddition): { json: GltfJson; binary: Uint8Array } {
+export function buildGltf(
+  model: Model,
+  ...additions: readonly (GltfAddition | undefined)[]
+): { json: GltfJson; binary: Uint8Array } {
   const rows = splitRows(model);
   if (rows.faces.length === 0) throw nothingToWrite(model, 'glTF');
   const binary = new BufferBuilder(40 * rows.vertex.length + 4 * rows.corners.length);
   const origin = farOrigin(model.positions);
   const place = placement(model, origin);
   const plain = writeAttributes(binary, model, rows, origin);
-  const added = addition?.({ binary, vertex: rows.vertex, origin, placement: place });
-  const attributes = { ...plain, ...added?.attributes };
+  const found = { binary, vertex: rows.vertex, origin, placement: place };
+  const added = additions.flatMap((addition) => (addition ? [addition(found)] : []));
+  const attributes = Object.assign({}, plain, ...added.map((each) => each.attributes));
+  const { targets, targetNames } = added.find((each) => each.targets) ?? {};
+  const placed = added.find((each) => each.nodes);
   const materials: { name: string }[] = [];
   const primitives: GltfPrimitive[] = [];
   for (const run of groupRuns(model)) {
     const indices = binary.indices(cornersOf(rows, run), rows.vertex.length);
     if (indices === undefined) continue;
     const primitive: GltfPrimitive = { attributes, indices };
-    if (added?.targets) primitive.targets = added.targets.map((target) => ({ ...target }));
+    if (targets) primitive.targets = targets.map((target) => ({ ...target }));
     if (run.name) primitive.extras = { name: run.name };
     if (run.material !== undefined) primitive.material = materialIndex(materials, run.material);
     primitives.push(primitive);
   }
   const name = model.name.replace(/\.[^.]*$/, '');
   const node: GltfNode = { name, mesh: 0, ...place };
-  const { nodes, shown } = added?.nodes(node) ?? { nodes: [node], shown: [0] };
+  const { nodes, shown } = placed?.nodes?.(node) ?? { nodes: [node], shown: [0] };
   const json: GltfJson = {
     asset: { version: '2.0', generator: 'Lissom' },
     scene: 0,
     scenes: [{ nodes: shown }],
     nodes,
-    meshes: [{ name, primitives, ...morphs(added?.targetNames) }],
-    ...added?.more,
+    meshes: [{ name, primitives, ...morphs(targetNames) }],
+    ...Object.assign({}, ...added.map((each) => each.more)),
     ...(materials.length > 0 && { materials }),
     accessors: binary.accessors,
     bufferViews: binary.views,

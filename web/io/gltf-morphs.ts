@@ -2,17 +2,22 @@ import { type Model, withPositions } from '../core/model';
 import { F32 } from './gltf-accessors';
 import { ARRAY, buildGltf, type GltfAddition } from './gltf-build';
 import { packGltf } from './gltf-container';
+import { ownRig } from './gltf-rig-write';
 import { vertexNormals } from './normals';
 
 /**
  * A model with others of the same vertices as its morph targets (Khronos glTF 2.0 specification, 3.7.2.2): a program that
- * opens it has a slider for each, called after its model, and for each morph that the model has. At rest all are 0.
+ * opens it has a slider for each, called after its model, and for each morph that the model has. At rest all are 0. Its joints come along.
  *
  * @param others  each with as many vertices as `model`, in their own places
  */
 export function writeGltfMorphs(model: Model, others: readonly Model[], format: 'glb' | 'gltf'): Uint8Array {
   const shapes = others.map((other) => ({ ...other, name: other.name.replace(/\.[^.]*$/, '') }));
-  const { json, binary } = buildGltf(model, additionOf(model, [...shapes, ...ownShapes(model)]));
+  const { json, binary } = buildGltf(
+    model,
+    additionOf(model, [...shapes, ...ownShapes(model)]),
+    ownRig(model),
+  );
   return packGltf(json, binary, format);
 }
 
@@ -47,11 +52,8 @@ const additionOf =
       return { POSITION, NORMAL: binary.add(vertex.length, { componentType: F32, type: 'VEC3' }, ARRAY) };
     });
     return {
-      attributes: {},
       targets,
       targetNames: others.map(({ name }) => name),
-      nodes: (mesh) => ({ nodes: [mesh], shown: [0] }),
-      more: {},
     };
   };
 

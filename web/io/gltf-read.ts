@@ -5,7 +5,8 @@ import { determinant, transformPoints } from './affine';
 import { Budget } from './budget';
 import { COMPONENTS, readAccessor, U8 } from './gltf-accessors';
 import { entry, type GltfDocument, openGlb, openGltf, refuseCompressed } from './gltf-document';
-import { type Placement, placements } from './gltf-scene';
+import { type Influences, RigReader } from './gltf-rig-read';
+import { type Placement, readScene, type Scene } from './gltf-scene';
 import type { GltfPrimitive } from './gltf-schema';
 import { morphsOf, readTargets, type Targets } from './gltf-targets';
 import { GrowingUint32 } from './growing';
@@ -42,6 +43,7 @@ interface ReadPart {
   readonly colors: { values: Float64Array; components: number } | undefined;
   readonly sets: ReadonlyMap<string, Float64Array>;
   readonly targets: Targets | null;
+  readonly influences: Influences | null;
 }
 
 const TRIANGLES = 4;
@@ -64,10 +66,10 @@ const VERTEX = 3 * (8 + PLACED);
 export function readGltf(bytes: Uint8Array, name: string, binary: boolean): ReadResult {
   const budget = new Budget('gltf', name, bytes.length);
   const document = binary ? openGlb(bytes, name) : openGltf(bytes, name);
-  const reader = new GltfReader(document, budget);
-  const shown = placements(document, budget);
-  reader.expect(shown);
-  for (const placement of shown) reader.read(placement);
+  const scene = readScene(document, budget);
+  const reader = new GltfReader(document, scene, budget);
+  reader.expect(scene.shown);
+  for (const placement of scene.shown) reader.read(placement);
   const model = reader.model(name, binary ? 'glb' : 'gltf');
   return { model, notes: reader.notes.list() };
 }
@@ -78,12 +80,15 @@ class GltfReader {
   #vertices = 0;
   readonly #faceVertices: GrowingUint32;
   #groups: FaceGroup[] = [];
+  readonly #rig: RigReader;
 
   constructor(
     readonly document: GltfDocument,
+    scene: Scene,
     private readonly budget: Budget,
   ) {
     this.#faceVertices = new GrowingUint32(budget);
+    this.#rig = new RigReader(document, scene, budget);
   }
 
   /** Counts the coordinates of all that is shown before the first is read. */
@@ -178,6 +183,7 @@ class GltfReader {
       ...this.#uvs(),
       ...this.#sets(),
       ...morphsOf(this.#parts, this.#vertices),
+      ...this.#joints(),
       groups: this.#groups,
       unitMetres: 1,
       upAxis: 'y',
@@ -185,7 +191,16 @@ class GltfReader {
     };
   }
 
-  #part({ node, mesh, matrix }: Placement, primitive: GltfPrimitive, extras: unknown): GltfPart & ReadPart {
+  /** A skin that cannot be used is told of: the model opens without. */
+  #joints(): Pick<Model, 'rig'> {
+    const rig = this.#rig.rig(this.#parts, this.#vertices);
+    if (this.#rig.fault)
+      this.notes.add('skin-unread', `The model opens without its joints. ${this.#rig.fault.message}`);
+    return rig;
+  }
+
+  #part(placement: Placement, primitive: GltfPrimitive, extras: unknown): GltfPart & ReadPart {
+    const { node, mesh, matrix } = placement;
     const { attributes } = primitive;
     const position = entry(this.document, this.document.json.accessors, attributes.POSITION!, 'accessor');
     // A compressed primitive's accessors state only types and counts.
@@ -221,6 +236,7 @@ class GltfReader {
       colors: color && { values: color, components: color.length / count },
       sets,
       targets: this.#targets(primitive, { names: namesIn(extras), count, matrix }),
+      influences: this.#rig.read(placement, attributes, count),
     };
     this.#parts.push(part);
     this.#vertices += count;
@@ -329,4 +345,5 @@ const namesIn = (extras: unknown): unknown =>
   (extras as { targetNames?: unknown } | null | undefined)?.targetNames;
 
 const isRead = (attribute: string): boolean =>
-  ['POSITION', 'NORMAL', 'TEXCOORD_0', 'COLOR_0'].includes(attribute) || attribute.startsWith('_');
+  ['POSITION', 'NORMAL', 'TEXCOORD_0', 'COLOR_0'].includes(attribute) ||
+  /^(_|(JOINTS|WEIGHTS)_[01]$)/.test(attribute);

@@ -1,9 +1,10 @@
 import type { Model } from '../core/model';
 import { JOINT, type Skin } from '../core/skin';
 import { compose, invert } from './affine';
-import { F32, U16 } from './gltf-accessors';
-import { ARRAY, type BufferBuilder, buildGltf, type GltfAddition } from './gltf-build';
+import { F32 } from './gltf-accessors';
+import { type BufferBuilder, buildGltf, type GltfAddition } from './gltf-build';
 import { packGltf } from './gltf-container';
+import { writeInfluences } from './gltf-rig-write';
 import type { GltfNode } from './gltf-schema';
 
 /**
@@ -25,7 +26,7 @@ const FIRST_JOINT = 2;
 const additionOf =
   (skin: Skin): GltfAddition =>
   ({ binary, vertex, origin, placement }) => {
-    const attributes = writeInfluences(binary, skin, vertex);
+    const attributes = writeInfluences(binary, { ...skin, influences: 4 }, vertex);
     const rest = lessOrigin(skin.rest, origin);
     const posed = lessOrigin(skin.posed, origin);
     const inverseBindMatrices = writeInverses(binary, rest);
@@ -45,14 +46,6 @@ const additionOf =
       more: { skins: [{ joints, skeleton: SKELETON, inverseBindMatrices }], ...animation },
     };
   };
-
-function writeInfluences(binary: BufferBuilder, { indices, weights }: Skin, vertex: Uint32Array) {
-  for (const v of vertex) for (let k = 4 * v; k < 4 * v + 4; k++) binary.out.u16(indices[k]!);
-  const JOINTS_0 = binary.add(vertex.length, { componentType: U16, type: 'VEC4' }, ARRAY);
-  for (const v of vertex) for (let k = 4 * v; k < 4 * v + 4; k++) binary.out.f32(weights[k]!);
-  const WEIGHTS_0 = binary.add(vertex.length, { componentType: F32, type: 'VEC4' }, ARRAY);
-  return { JOINTS_0, WEIGHTS_0 };
-}
 
 function writeInverses(binary: BufferBuilder, rest: Float64Array): number {
   const count = rest.length / JOINT;

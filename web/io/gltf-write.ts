@@ -4,14 +4,18 @@ import { packGltf } from './gltf-container';
 import { ownMorphs } from './gltf-morphs';
 import type { GltfExtra } from './gltf-read';
 import { rewriteGltf } from './gltf-rewrite';
+import { ownRig } from './gltf-rig-write';
 
 /**
  * glTF 2.0 as one file. What came from glTF and still has its triangles goes back into its own document: names,
- * transforms, materials, pictures, skins and animations stay. Anything else becomes a document with a single node, its morphs as targets.
+ * transforms, materials, pictures, skins and animations stay. Anything else becomes a document with a single
+ * mesh, its morphs as targets, its joints as a skin.
  */
 export function writeGltf(model: Model, format: 'glb' | 'gltf'): Uint8Array {
   const extra = ownDocument(model);
-  const { json, binary } = extra ? rewriteGltf(model, extra) : buildGltf(model, ownMorphs(model));
+  const { json, binary } = extra
+    ? rewriteGltf(model, extra)
+    : buildGltf(model, ownMorphs(model), ownRig(model));
   return packGltf(json, binary, format);
 }
 

@@ -6,6 +6,7 @@ import { type Model, vertexCount, withPositions } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
 import type { Blended, MeasureSpec } from '../../kernel/contract/wear';
 import type { BlendMeasure, BlendStep } from '../../recipe/steps/blend';
+import { carriedRig } from '../carried-rig';
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { type StepContext, type StepOutcome, type StepRunner, signalOf } from './step-runner';
@@ -64,6 +65,7 @@ export const blendRunner = {
       model: {
         ...withPositions(skin.model, blended.positions),
         ...blendedMorphs(skins, names, blended.weights),
+        ...blendedRig(skins[names[0]!]!, blended.positions),
       },
       figures: {
         weights: Object.fromEntries(names.map((name, at) => [name, blended.weights[at]!])),
@@ -122,6 +124,12 @@ function blendedMorphs(
   });
   return { morphs };
 }
+
+/** Joints go where they would on a skin of that shape. */
+const blendedRig = (
+  { rig, faceVertices, positions: from }: Model,
+  positions: Float64Array,
+): Pick<Model, 'rig'> => (rig ? { rig: carriedRig(rig, faceVertices, from, positions) } : {});
 
 function prepareBlend(step: BlendStep, context: StepContext) {
   const { skin, skins, names } = given(step, context);

@@ -2,15 +2,18 @@
 
 import { type Finding, LissomError } from '../../core/errors';
 import { type Model, type Morph, vertexCount } from '../../core/model';
+import type { Rig } from '../../core/rig';
 import { isEmpty, toIndices, type VertexSet } from '../../core/vertex-set';
 import type { Matched, SkinFigures } from '../../kernel/contract/match';
 import { isDrawn, isWhole, type MarkerPlace, type MatchStep } from '../../recipe/steps/match';
+import { carriedRig } from '../carried-rig';
 import type { ModelResult } from '../types';
 import { checkVertices, vertexSetKey } from '../vertex-sets';
 import { askedPoints, hasAttributes, readAttributes, type SkinAttributes } from './match/attributes';
 import { carriedMorphs, readMorphs } from './match/morphs';
 import { placePoints } from './match/places';
 import { matchQuestions } from './match/questions';
+import { readRig } from './match/rig';
 import {
   type InputShape,
   type StepContext,
@@ -103,14 +106,17 @@ export const matchRunner = {
       { models, options: { edgeLength, adapt, sharpAngle, first, genus, method, together, start } },
       { ...signalOf(context), onProgress, ...(onLook && { onLook }) },
     );
-    const { triangles, attributes, morphs } = await carriedFrom(inputs[0]!, matched, context);
+    const { triangles, attributes, morphs, rig } = await carriedFrom(inputs[0]!, matched, context);
     const [source] = matched.positions;
     const morphsAt = (at: number) =>
       at === 0 ? morphs : carriedMorphs(morphs, triangles, source!, matched.positions[at]!);
+    const rigAt = (of: Rig, at: number) =>
+      at === 0 ? of : carriedRig(of, triangles, source!, matched.positions[at]!);
     const skins = step.models.map((name, at) => ({
       ...skinOf(name, triangles, matched.positions[at]!),
       ...attributes,
       ...(morphs.length > 0 && { morphs: morphsAt(at) }),
+      ...(rig && { rig: rigAt(rig, at) }),
     }));
     const byName = <T>(value: (at: number) => T): Record<string, T> =>
       Object.fromEntries(step.models.map((name, at) => [name, value(at)]));
@@ -184,6 +190,8 @@ async function carriedFrom(
   readonly attributes: SkinAttributes;
   /** Of the first skin. */
   readonly morphs: readonly Morph[];
+  /** Of the first skin. */
+  readonly rig?: Rig | undefined;
 }> {
   if (!hasAttributes(source.model)) return { triangles, attributes: {}, morphs: [] };
   const asked = askedPoints(positions[0]!, triangles);
@@ -196,7 +204,8 @@ async function carriedFrom(
     middles: await places(asked.middles),
   });
   const morphs = readMorphs(source, vertices);
-  return { triangles: order ? inOrder(triangles, order) : triangles, attributes, morphs };
+  const rig = readRig(source, vertices);
+  return { triangles: order ? inOrder(triangles, order) : triangles, attributes, morphs, rig };
 }
 
 const inOrder = (triangles: Uint32Array, order: Uint32Array): Uint32Array =>

@@ -1,9 +1,9 @@
 // The merge step: cut and factored once per set of boundaries, then only the keys change.
 
 import { IDENTITY } from '../../core/affine';
-import { LissomError } from '../../core/errors';
+import { type Finding, LissomError } from '../../core/errors';
 import { hashValue } from '../../core/hash';
-import { vertexCount } from '../../core/model';
+import { type Model, vertexCount } from '../../core/model';
 import { toIndices } from '../../core/vertex-set';
 import type { MapPlacement, Merged, PaintedRegions, RegionMaps } from '../../kernel/contract/merge';
 import type { MergeStep } from '../../recipe/steps/merge';
@@ -142,7 +142,7 @@ export const mergeRunner = {
       },
       seconds: { ...ready.seconds, ...merged.seconds },
       peakBytes: ready.peakBytes,
-      warnings: [...ready.warnings, ...merged.warnings],
+      warnings: [...ready.warnings, ...merged.warnings, ...leftOut([target.model, source.model])],
     };
   },
 
@@ -177,6 +177,12 @@ const NO_MARKS: NonNullable<MergeStep['optimalBoundary']> = {
   feature: [],
   targetRegion: [],
 };
+
+/** What a merge cannot put together. */
+function leftOut(models: readonly Model[]): Finding[] {
+  const { length } = models.filter(({ rig }) => rig);
+  return length > 0 ? [{ code: 'rig-left-out', count: length, examples: [], repaired: false }] : [];
+}
 
 const sidesOf = ({ inputs }: StepContext) => inputs as [source: ModelResult, target: ModelResult];
 

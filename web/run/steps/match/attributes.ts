@@ -23,8 +23,8 @@ export interface SkinPlaces {
 }
 
 /** Whether there is anything to be read off. */
-export const hasAttributes = ({ colors, uvs, groups, vertexSets, morphs }: Model): boolean =>
-  !!(colors || uvs || groups?.length || vertexSets || morphs?.length);
+export const hasAttributes = ({ colors, uvs, groups, vertexSets, morphs, rig }: Model): boolean =>
+  !!(colors || uvs || groups?.length || vertexSets || morphs?.length || rig);
 
 /** Points to ask for: 3 numbers each, in the order of `SkinPlaces`. */
 export interface SkinPoints {
