@@ -89,7 +89,7 @@ struct MatchReport {
     std::vector<MatchWarning> warnings; ///< `markers-mirrored`, `markers-swapped` (examples: markers), `markers-flat`, `markers-moved` (onto the surface), `markers-one-sided`,
                                         ///< `markers-coincide` (examples: pairs; the later of each is left out), `poses-differ` (pose one like the other first), `pieces-differ`, `borders-differ` (one
                                         ///< is open, one closed), `genus-differs`,
-                                        ///< `sharp-failed` (count: curves), `sharp-held-back` (count: 1; edges that could not be brought onto their curve without crossings),
+                                        ///< `sharp-failed` (count: curves), `sharp-lost` (count: curves; of models matched pair by pair), `sharp-held-back` (count: 1; edges that could not be brought onto their curve without crossings),
                                         ///< `crossings-left` (count: triangles), `step-refused`, `skins-full` (no more splits), `stopped-early`, `not-settled` (the paper's loop after its last pass);
                                         ///< of the first skin `genus-missed` (count: what a wrap has), `webs` (count: vertices), `pieces-left-out`, `torus-guessed`, `first-full`
     MatchSeconds seconds;
