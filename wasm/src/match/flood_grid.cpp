@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <string>
 #include <utility>
 
 namespace lissom {
@@ -28,6 +29,10 @@ constexpr int k_blocks_a_slice = 60;
 constexpr double k_jump = 2.5;
 
 } // namespace
+
+void check_cells(int cells) {
+    if (cells < 20 || cells > 400) throw InvalidInput("bad-option", "The number of cells is " + std::to_string(cells) + "; it must be between 20 and 400.");
+}
 
 FloodGrid::FloodGrid(const TriangleMesh& model, int cells) : tree_(model) {
     const double area = triangle_areas(model).sum();

@@ -1,16 +1,10 @@
 #include "outer_parts.h"
 
+#include "placed_model.h"
+
 #include <algorithm>
 
 namespace lissom {
-
-namespace {
-
-bool is_points(const WorkingMesh& model) {
-    return std::any_of(model.findings.begin(), model.findings.end(), [](const Finding& finding) { return finding.code == "points-only"; });
-}
-
-} // namespace
 
 OuterParts::OuterParts(const std::vector<MatchModel>& models, FirstSkin wanted) : first_(wanted), found_(models.size()) {
     for (const MatchModel& each : models) models_.push_back(each.model);

@@ -3,7 +3,6 @@
 #include "lissom/match/distances.h"
 #include "lissom/match/flood_grid.h"
 #include "lissom/mesh/disjoint_sets.h"
-#include "lissom/mesh/errors.h"
 #include "lissom/mesh/half_edges.h"
 #include "lissom/mesh/operators.h"
 #include "lissom/mesh/self_intersections.h"
@@ -15,7 +14,6 @@
 #include <numeric>
 #include <optional>
 #include <set>
-#include <string>
 #include <utility>
 
 namespace lissom {
@@ -356,7 +354,7 @@ struct OuterSurfaceFinder::State {
 };
 
 OuterSurfaceFinder::OuterSurfaceFinder(const TriangleMesh& model, const OuterSurfaceOptions& options) {
-    if (options.cells < 20 || options.cells > 400) throw InvalidInput("bad-option", "The number of cells is " + std::to_string(options.cells) + "; it must be between 20 and 400.");
+    check_cells(options.cells);
     state_ = std::make_unique<State>(model, options);
 }
 OuterSurfaceFinder::~OuterSurfaceFinder() = default;

@@ -11,6 +11,7 @@
 #include "projection.h"
 
 #include <algorithm>
+#include <deque>
 #include <limits>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ struct Placed : PlacedModel {
 struct PairwiseMatch::State {
     std::vector<MatchModel> models;
     MatchOptions options;
+    std::deque<Placed> placed{};         ///< in order
     std::optional<MatchSession> pair{};  ///< in hand: the source and target number `results.size() + 1`
     std::vector<MatchResult> results{};  ///< of pairs, in order
     SkinSet skins{};                     ///< in the models' own spaces, once all pairs are matched
@@ -50,13 +52,11 @@ struct PairwiseMatch::State {
     [[nodiscard]] int slices_of_projection() const { return k_projections * (count() - 2); }
     [[nodiscard]] bool done() const { return matched() && composed == count() && projections == slices_of_projection(); }
 
-    [[nodiscard]] Placed placed(int k) const { return Placed(models[static_cast<std::size_t>(k)], name_of(static_cast<std::size_t>(k), models.size())); }
-
     /// What a later pair would refuse is refused now, by the model's own number.
-    void check() const {
-        for (int k = 0; k < count(); ++k) {
-            (void)placed(k);
-            (void)align_markers(models.front().markers, models[static_cast<std::size_t>(k)].markers, MatchStart::similarity);
+    void place() {
+        for (std::size_t k = 0; k < models.size(); ++k) {
+            placed.emplace_back(models[k], name_of(k, models.size()));
+            (void)align_markers(models.front().markers, models[k].markers, MatchStart::similarity);
         }
     }
 
@@ -74,7 +74,7 @@ struct PairwiseMatch::State {
         refused.assign(models.size(), 0);
         for (const int v : first.marker_vertices) kept[v] = 1;
         if (models.front().ignored.empty()) return;
-        const Placed source = placed(0);
+        const Placed& source = placed.front();
         const Points points = source.inwards(skins.points.front());
         for (int v = 0; v < skins.vertex_count(); ++v) {
             masked.push_back(source.surface.nearest(points.row(v), Eigen::Vector3d::Zero(), -1, k_anywhere).ignored);
@@ -95,7 +95,7 @@ struct PairwiseMatch::State {
     /// A composed skin may be tangled where the two first skins differ, and the guard keeps only what is clean.
     void project() {
         const int k = 2 + projections++ % (count() - 2);
-        const Placed on = placed(k);
+        const Placed& on = placed[static_cast<std::size_t>(k)];
         Points& points = skins.points[static_cast<std::size_t>(k)];
         TriangleMesh mesh{on.inwards(points), skins.triangles};
         (void)untangle(mesh, kept, k_untangling_rounds);
@@ -111,7 +111,7 @@ struct PairwiseMatch::State {
         MatchReport found = results.front().report;
         for (int k = 2; k < count(); ++k) {
             const MatchReport& of_pair = results[static_cast<std::size_t>(k) - 1].report;
-            const Placed on = placed(k);
+            const Placed& on = placed[static_cast<std::size_t>(k)];
             SkinReport skin = skin_report({on.inwards(skins.points[static_cast<std::size_t>(k)]), skins.triangles}, on, masked, false);
             skin.flatness = of_pair.skins[1].flatness;
             skin.bent = of_pair.skins[1].bent;
@@ -142,7 +142,7 @@ struct PairwiseMatch::State {
 PairwiseMatch::PairwiseMatch(std::vector<MatchModel> models, const MatchOptions& options) : state_(std::make_unique<State>(State{std::move(models), options})) {
     check_options(state_->models, options);
     check_curves(state_->models);
-    state_->check();
+    state_->place();
     state_->begin_pair();
 }
 PairwiseMatch::~PairwiseMatch() = default;

@@ -23,14 +23,15 @@ SurfaceSize size_of(const WorkingMesh& model, const std::string& which) {
 
 } // namespace
 
+bool is_points(const WorkingMesh& model) {
+    return std::any_of(model.findings.begin(), model.findings.end(), [](const Finding& finding) { return finding.code == "points-only"; });
+}
+
 PlacedModel::PlacedModel(const WorkingMesh& model, const std::string& which, std::optional<OuterSurface> seen)
     : working(model), outer(std::move(seen)), size(size_of(model, which)),
       // Where something is hidden the rims are mostly creases.
       surface(at_unit_size(outer ? outer->seen() : model.mesh, size), {!outer && !is_soup(model.mesh), model.oriented}) {}
 
-bool PlacedModel::is_points() const {
-    return std::any_of(working.findings.begin(), working.findings.end(), [](const Finding& finding) { return finding.code == "points-only"; });
-}
 
 bool PlacedModel::is_loose() const { return is_points() || outer || is_soup(working.mesh); }
 

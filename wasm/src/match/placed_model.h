@@ -9,6 +9,9 @@
 
 namespace lissom {
 
+/// Whether a model is scattered points, with a surface drawn through them.
+[[nodiscard]] bool is_points(const WorkingMesh& model);
+
 /// A model at unit size about its middle, which neither turning nor triangulation changes, and the way back.
 struct PlacedModel {
     const WorkingMesh& working;
@@ -22,8 +25,7 @@ struct PlacedModel {
     /// Leaves source vertices out of the surface. @throws InvalidInput `bad-mask`
     void ignore(const std::vector<int>& source_vertices, const std::string& which);
 
-    /// Scattered points, with a surface drawn through them.
-    [[nodiscard]] bool is_points() const;
+    [[nodiscard]] bool is_points() const { return lissom::is_points(working); }
     /// A soup, pieces that reach into one another, or a surface drawn through points: how it hangs together means nothing.
     [[nodiscard]] bool is_loose() const;
 

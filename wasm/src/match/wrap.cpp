@@ -144,7 +144,7 @@ struct Wrapper::State {
 Wrapper::Wrapper(const TriangleMesh& model, const WrapOptions& options) {
     const auto refuse = [](const std::string& sentence) { throw InvalidInput("bad-option", sentence); };
     if (options.genus < 0) refuse("The genus is " + std::to_string(options.genus) + "; it must be 0 or more.");
-    if (options.cells < 20 || options.cells > 400) refuse("The number of cells is " + std::to_string(options.cells) + "; it must be between 20 and 400.");
+    check_cells(options.cells);
     if (!(options.edge_length >= 0 && std::isfinite(options.edge_length))) refuse("The edge length must be above 0, or 0 for one that suits.");
     state_ = std::make_unique<State>(model, options);
 }

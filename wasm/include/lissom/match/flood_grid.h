@@ -8,6 +8,9 @@
 
 namespace lissom {
 
+/// Refuses numbers of cells but 20 to 400. @throws InvalidInput `bad-option`
+void check_cells(int cells);
+
 /// How far the nodes of a grid are from a model, and which of them are outside of it: reached from the border of the grid through places farther than r from the model.
 ///
 /// Neither the model's connectivity nor which way its triangles face matters. Radii begin at 0.8 of the 95 % quantile of the distances between samples and their sixth
