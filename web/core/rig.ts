@@ -18,3 +18,17 @@ export interface Rig {
   /** Theirs; they sum to 1. */
   readonly weights: Float32Array;
 }
+
+/** Writes whose a vertex is: the largest shares of joints, as many as it can have, made to sum to 1. Equal ones stay in their order. */
+export function keepLargest(
+  { influences, indices, weights }: Pick<Rig, 'influences' | 'indices' | 'weights'>,
+  vertex: number,
+  shares: readonly (readonly [joint: number, share: number])[],
+): void {
+  const kept = [...shares].sort(([, a], [, b]) => b - a).slice(0, influences);
+  const sum = kept.reduce((all, [, share]) => all + share, 0);
+  for (const [k, [joint, share]] of kept.entries()) {
+    indices[influences * vertex + k] = joint;
+    weights[influences * vertex + k] = share / sum;
+  }
+}

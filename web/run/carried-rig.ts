@@ -1,6 +1,7 @@
 // Joints brought to where they belong in another body.
 
 import { type Affine, IDENTITY, multiply } from '../core/affine';
+import { cross } from '../core/cross';
 import { orientationBetween } from '../core/orientation';
 import { rotated } from '../core/quaternion';
 import type { Rig } from '../core/rig';
@@ -93,11 +94,8 @@ function vertexAreas(triangles: Uint32Array, positions: Float64Array): Float64Ar
   for (let first = 0; first < triangles.length; first += 3) {
     const [a, b, c] = [triangles[first]!, triangles[first + 1]!, triangles[first + 2]!];
     const side = (v: number, k: number) => positions[3 * v + k]! - positions[3 * a + k]!;
-    const normal = [0, 1, 2].map((k) => {
-      const [i, j] = [(k + 1) % 3, (k + 2) % 3];
-      return side(b, i) * side(c, j) - side(b, j) * side(c, i);
-    });
-    const third = Math.hypot(...normal) / 6;
+    const to = (v: number) => [side(v, 0), side(v, 1), side(v, 2)] as const;
+    const third = Math.hypot(...cross(to(b), to(c))) / 6;
     for (const v of [a, b, c]) areas[v]! += third;
   }
   return areas;

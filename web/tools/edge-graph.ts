@@ -1,7 +1,8 @@
 // Edges of a surface between its places: how sharp each is, what it goes on as, and the shortest way along them.
 
 import { cross, dot, norm, pointAt, subtract, unit } from './geometry';
-import type { GraphSource } from './mesh-graph';
+import { buckets, type GraphSource } from './mesh-graph';
+import { NearestFirst } from './nearest-first';
 
 export interface EdgeSource extends GraphSource {
   /** 3 per source vertex. */
@@ -50,7 +51,12 @@ export class EdgeGraph {
     }
     this.#ends = Uint32Array.from(ends);
     this.#angles = Float32Array.from(angles);
-    [this.#start, this.#at] = atPlaces(this.#ends, places);
+    [this.#start, this.#at] = buckets(
+      places,
+      ends.length,
+      (i) => ends[i]!,
+      (i) => i >> 1,
+    );
   }
 
   angleOf(edge: number): number {
@@ -98,10 +104,11 @@ export class EdgeGraph {
     if (start < 0 || goal < 0) return null;
     const before = new Map<number, number>([[start, -1]]);
     const costs = new Map<number, number>([[start, 0]]);
-    const waiting = new Waiting();
+    const waiting = new NearestFirst();
     waiting.push(start, 0);
     const done = new Set<number>();
-    for (let place = waiting.pop(); place !== undefined && place !== goal; place = waiting.pop()) {
+    for (let nearest = waiting.pop(); nearest && nearest[0] !== goal; nearest = waiting.pop()) {
+      const [place] = nearest;
       if (done.has(place)) continue;
       done.add(place);
       for (const edge of this.#edgesOf(place)) {
@@ -181,45 +188,4 @@ function sidesOf(triangles: Uint32Array, welded: Int32Array, places: number) {
     key: (at: number) => keys[sorted[at]!]!,
     triangle: (at: number) => Math.floor(sorted[at]! / 3),
   };
-}
-
-function atPlaces(ends: Uint32Array, places: number): [Uint32Array, Uint32Array] {
-  const start = new Uint32Array(places + 1);
-  for (const place of ends) start[place + 1]!++;
-  for (let place = 0; place < places; place++) start[place + 1]! += start[place]!;
-  const next = start.slice();
-  const edges = new Uint32Array(ends.length);
-  for (let i = 0; i < ends.length; i++) edges[next[ends[i]!]!++] = i >> 1;
-  return [start, edges];
-}
-
-/** What is nearest first: a binary heap. */
-class Waiting {
-  readonly #held: { readonly place: number; readonly cost: number }[] = [];
-
-  push(place: number, cost: number): void {
-    const held = this.#held;
-    let at = held.push({ place, cost }) - 1;
-    for (let up = (at - 1) >> 1; at > 0 && held[up]!.cost > cost; up = (at - 1) >> 1) {
-      held[at] = held[up]!;
-      at = up;
-    }
-    held[at] = { place, cost };
-  }
-
-  pop(): number | undefined {
-    const held = this.#held;
-    const first = held[0];
-    const last = held.pop();
-    if (!first || !last || held.length === 0) return first?.place;
-    let at = 0;
-    for (let down = 1; down < held.length; down = 2 * at + 1) {
-      if (down + 1 < held.length && held[down + 1]!.cost < held[down]!.cost) down++;
-      if (held[down]!.cost >= last.cost) break;
-      held[at] = held[down]!;
-      at = down;
-    }
-    held[at] = last;
-    return first.place;
-  }
 }

@@ -1,9 +1,10 @@
 // Small affine maps: 16 numbers, column-major, last row 0 0 0 1 (as recipes and the kernel hold them).
 
-import { type Affine, IDENTITY } from '../core/affine';
+import { type Affine, IDENTITY, multiply as product } from '../core/affine';
+import { cross } from '../core/cross';
 import type { Vec3 } from '../view/types';
 
-export { IDENTITY };
+export { cross, IDENTITY };
 export type Mat4 = Affine;
 
 export const add = (a: Vec3, b: Vec3): Vec3 => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
@@ -22,13 +23,7 @@ export const gap = (a: Vec3, b: Vec3): number => norm(subtract(a, b));
 export const translation = ([x, y, z]: Vec3): Mat4 => [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, x, y, z, 1];
 
 /** `a` after `b`. */
-export function multiply(a: Mat4, b: Mat4): Mat4 {
-  const out = new Array<number>(16).fill(0);
-  for (let column = 0; column < 4; column++)
-    for (let row = 0; row < 4; row++)
-      for (let k = 0; k < 4; k++) out[4 * column + row]! += a[4 * k + row]! * b[4 * column + k]!;
-  return affine(out);
-}
+export const multiply = (a: Mat4, b: Mat4): Mat4 => affine(product(a, b));
 
 /** @returns the inverse, or `undefined` where the map flattens space */
 export function invert(m: Mat4): Mat4 | undefined {
@@ -141,12 +136,6 @@ export const pointAt = (positions: Float64Array, vertex: number): Vec3 => [
 
 export const dot = (a: Vec3, b: Vec3): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 
-export const cross = (a: Vec3, b: Vec3): Vec3 => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
 type Sixteen = [
   ...[number, number, number, number, number, number, number, number],
   ...[number, number, number, number, number, number, number, number],
@@ -156,7 +145,7 @@ const determinant = (m: Mat4): number =>
   dot([m[0]!, m[1]!, m[2]!], cross([m[4]!, m[5]!, m[6]!], [m[8]!, m[9]!, m[10]!]));
 
 /** The last row exactly 0 0 0 1 and no −0, as the schema and the link want it. */
-function affine(m: number[]): Mat4 {
+function affine(m: readonly number[]): Mat4 {
   const out = m.map((x) => x + 0);
   [out[3], out[7], out[11], out[15]] = [0, 0, 0, 1];
   return out;

@@ -77,7 +77,7 @@ export class MeshGraph {
 }
 
 /** `value(i)` for i below `count`, sorted into `buckets` by `bucket(i)`: offsets and values. −1 is left out. */
-function buckets(
+export function buckets(
   size: number,
   count: number,
   bucket: (i: number) => number,

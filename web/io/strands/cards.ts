@@ -1,3 +1,4 @@
+import { cross } from '../../core/cross';
 import type { Curves } from './curves';
 import { curveCount } from './curves';
 import { RootGrid, rootsOf, spreadOrder } from './guides';
@@ -220,12 +221,6 @@ function tangentAt(line: Float64Array, r: number, rows: number): Vec {
 }
 
 const dot = (a: Vec, b: Vec): number => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const cross = (a: Vec, b: Vec): Vec => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
-
 /** The vector at length one; `otherwise` where it has no direction to speak of. */
 function unit(v: Vec, otherwise: Vec): Vec {
   const length = Math.sqrt(dot(v, v));

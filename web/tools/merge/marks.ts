@@ -1,6 +1,7 @@
 // What can be told from a roughly painted region: its edge, the feature in its middle, the openings in it.
 
 import type { MeshGraph } from '../mesh-graph';
+import { NearestFirst } from '../nearest-first';
 import type { Loop } from './loops';
 
 /** The feature is what lies farther inside the region than this part of its depth. */
@@ -69,7 +70,7 @@ function depthsWithin(
   positions: Float64Array,
 ): Map<number, number> {
   const depth = new Map<number, number>();
-  const waiting = new Heap();
+  const waiting = new NearestFirst();
   for (const vertex of region)
     if (graph.neighbours(vertex).some((near) => !inside.has(near))) waiting.push(vertex, 0);
   for (let next = waiting.pop(); next; next = waiting.pop()) {
@@ -89,38 +90,4 @@ const apart = (x: Float64Array, a: number, b: number): number =>
 export function loopsTouched(loops: readonly Loop[], mark: Uint32Array): Loop[] {
   const marked = new Set(mark);
   return loops.filter((loop) => loop.some((vertex) => marked.has(vertex)));
-}
-
-/** Vertices by distance, the nearest first; ties fall to whichever came first. */
-class Heap {
-  readonly #held: [number, number][] = [];
-
-  push(vertex: number, distance: number): void {
-    const held = this.#held;
-    let at = held.push([vertex, distance]) - 1;
-    while (at > 0) {
-      const parent = (at - 1) >> 1;
-      if (held[parent]![1] <= held[at]![1]) return;
-      [held[parent], held[at]] = [held[at]!, held[parent]!];
-      at = parent;
-    }
-  }
-
-  pop(): [number, number] | undefined {
-    const held = this.#held;
-    const first = held[0];
-    const last = held.pop();
-    if (!first || !last || held.length === 0) return first;
-    held[0] = last;
-    for (let at = 0; ; ) {
-      const left = 2 * at + 1;
-      const least = [left, left + 1].reduce(
-        (best, child) => (child < held.length && held[child]![1] < held[best]![1] ? child : best),
-        at,
-      );
-      if (least === at) return first;
-      [held[least], held[at]] = [held[at]!, held[least]!];
-      at = least;
-    }
-  }
 }

@@ -1,6 +1,7 @@
 // A step's curves as joints, for programs that know skins but not curves.
 
 import { product, type Quaternion, quaternionOf, rotated, unitQuaternion } from '../../../core/quaternion';
+import { keepLargest } from '../../../core/rig';
 import { JOINT, type Skin } from '../../../core/skin';
 import type { CurveAttributes } from '../../../kernel/contract/curve';
 import type { CurvePosture, CurvesStep } from '../../../recipe/steps/curves';
@@ -110,15 +111,8 @@ function influences({ curves, rows, weights: shares }: CurveAttributes): Pick<Sk
       add(2 + JOINTS * curve + j, shares[k]! * along);
     }
     if (resting > 1e-6) add(0, resting);
-    const kept = [...shareOf]
-      .filter(([, share]) => share > 0)
-      .sort(([, a], [, b]) => b - a)
-      .slice(0, INFLUENCES);
-    const sum = kept.reduce((total, [, share]) => total + share, 0);
-    for (const [k, [joint, share]] of kept.entries()) {
-      indices[INFLUENCES * v + k] = joint;
-      weights[INFLUENCES * v + k] = share / sum;
-    }
+    const moving = [...shareOf].filter(([, share]) => share > 0);
+    keepLargest({ influences: INFLUENCES, indices, weights }, v, moving);
   }
   return { indices, weights };
 }

@@ -62,14 +62,7 @@ export function readAttributes(
   const { vertices, middles } = places;
   const { triangles: drawn, faceOfTriangle } = opened;
   const count = vertices.triangles.length;
-  /** Σ weight · value over the corners of the place of a vertex. */
-  const mixed = (vertex: number, value: (source: number) => number) => {
-    const first = 3 * vertices.triangles[vertex]!;
-    let sum = 0;
-    for (let corner = 0; corner < 3; corner++)
-      sum += vertices.weights[3 * vertex + corner]! * value(drawn[first + corner]!);
-    return sum;
-  };
+  const mixed = mixing(drawn, vertices);
   const colors = model.colors && new Uint8Array(4 * count);
   if (colors)
     for (let at = 0; at < colors.length; at++)
@@ -91,11 +84,20 @@ export function readAttributes(
   };
 }
 
-function mapSets(
-  sets: NonNullable<Model['vertexSets']>,
-  count: number,
-  mixed: (vertex: number, value: (source: number) => number) => number,
-) {
+type Mixed = (vertex: number, value: (source: number) => number) => number;
+
+/** Σ weight · value over the corners of the place of a vertex. */
+export const mixing =
+  (drawn: Uint32Array, { triangles, weights }: SurfacePlaces): Mixed =>
+  (vertex, value) => {
+    const first = 3 * triangles[vertex]!;
+    let sum = 0;
+    for (let corner = 0; corner < 3; corner++)
+      sum += weights[3 * vertex + corner]! * value(drawn[first + corner]!);
+    return sum;
+  };
+
+function mapSets(sets: NonNullable<Model['vertexSets']>, count: number, mixed: Mixed) {
   const found = Object.entries(sets).map(([name, set]) => {
     const members = new Set(set);
     const inside = (vertex: number) => mixed(vertex, (source) => (members.has(source) ? 1 : 0)) >= 0.5;

@@ -1,22 +1,18 @@
 // Morph targets of the source, read off it for its skin, and carried on to the others.
 
+import { cross } from '../../../core/cross';
 import type { Morph } from '../../../core/model';
 import type { SurfacePlaces } from '../../../kernel/contract/wear';
 import type { ModelResult } from '../../types';
+import { mixing } from './attributes';
 
 /** Those of a model where its skin's vertices lie on it: mixed by the weights of each place. */
 export function readMorphs({ model, opened }: ModelResult, places: SurfacePlaces): readonly Morph[] {
-  const count = places.triangles.length;
+  const mixed = mixing(opened.triangles, places);
   return (model.morphs ?? []).map(({ name, offsets: given }) => {
-    const offsets = new Float32Array(3 * count);
-    for (let at = 0; at < offsets.length; at++) {
-      const [vertex, axis] = [Math.floor(at / 3), at % 3];
-      const first = 3 * places.triangles[vertex]!;
-      let sum = 0;
-      for (let corner = 0; corner < 3; corner++)
-        sum += places.weights[3 * vertex + corner]! * given[3 * opened.triangles[first + corner]! + axis]!;
-      offsets[at] = sum;
-    }
+    const offsets = new Float32Array(3 * places.triangles.length);
+    for (let at = 0; at < offsets.length; at++)
+      offsets[at] = mixed(Math.floor(at / 3), (source) => given[3 * source + (at % 3)]!);
     return { name, offsets };
   });
 }
@@ -72,12 +68,6 @@ function vertexGradients(triangles: Uint32Array, from: Float64Array, to: Float64
 }
 
 type Vector = readonly [number, number, number];
-
-const cross = (a: Vector, b: Vector): Vector => [
-  a[1] * b[2] - a[2] * b[1],
-  a[2] * b[0] - a[0] * b[2],
-  a[0] * b[1] - a[1] * b[0],
-];
 
 /** Two sides of a triangle and its normal, as long as the triangle is large. */
 function frame(positions: Float64Array, triangles: Uint32Array, first: number) {

@@ -1,6 +1,6 @@
 // Joints of the source: whose each vertex of its skin is.
 
-import type { Rig } from '../../../core/rig';
+import { keepLargest, type Rig } from '../../../core/rig';
 import type { SurfacePlaces } from '../../../kernel/contract/wear';
 import type { ModelResult } from '../../types';
 
@@ -22,12 +22,8 @@ export function readRig({ model, opened }: ModelResult, places: SurfacePlaces): 
         if (share > 0) shareOf.set(rig.indices[k]!, (shareOf.get(rig.indices[k]!) ?? 0) + share);
       }
     }
-    const kept = [...shareOf].sort(([i, a], [j, b]) => b - a || i - j).slice(0, influences);
-    const sum = kept.reduce((all, [, share]) => all + share, 0);
-    for (const [k, [joint, share]] of kept.entries()) {
-      indices[influences * v + k] = joint;
-      weights[influences * v + k] = share / sum;
-    }
+    const byJoint = [...shareOf].sort(([i], [j]) => i - j);
+    keepLargest({ influences, indices, weights }, v, byJoint);
   }
   return { ...rig, indices, weights };
 }
