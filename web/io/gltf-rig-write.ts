@@ -9,7 +9,7 @@ import type { GltfNode } from './gltf-schema';
 
 /** Behind the node with the mesh: what holds the joints that hang from none, the joints. */
 const SKELETON = 1;
-const FIRST_JOINT = 2;
+export const FIRST_JOINT = 2;
 const SET = 4;
 
 /** The joints of a model as an addition to its document: nodes in their hierarchy, a skin; `undefined`: none. */
@@ -22,29 +22,39 @@ const additionOf =
     const { locals, inverses } = placesOf(rig, origin);
     for (const inverse of inverses) for (const x of inverse) binary.out.f32(x);
     const inverseBindMatrices = binary.add(rig.joints.length, { componentType: F32, type: 'MAT4' });
-    const joints = rig.joints.map((_, joint) => FIRST_JOINT + joint);
     const children: number[][] = rig.joints.map(() => []);
     const roots: number[] = [];
     for (const [joint, { parent }] of rig.joints.entries())
       (children[parent] ?? roots).push(FIRST_JOINT + joint);
-    return {
-      attributes,
-      // A skinned mesh ignores its node: what places it places the skeleton.
-      nodes: ({ translation: _t, rotation: _r, scale: _s, ...mesh }) => ({
-        nodes: [
-          { ...mesh, skin: 0 },
-          { name: 'skeleton', children: roots, ...placement },
-          ...rig.joints.map(({ name }, joint) => ({
-            name,
-            ...locals[joint]!,
-            ...(children[joint]!.length > 0 && { children: children[joint]! }),
-          })),
-        ],
-        shown: [0, SKELETON],
-      }),
-      more: { skins: [{ joints, skeleton: SKELETON, inverseBindMatrices }] },
-    };
+    const joints = rig.joints.map(({ name }, joint) => ({
+      name,
+      ...locals[joint]!,
+      ...(children[joint]!.length > 0 && { children: children[joint]! }),
+    }));
+    return { attributes, ...skeletonOf(joints, roots, inverseBindMatrices, placement) };
   };
+
+/**
+ * The nodes of a skinned mesh and its skin.
+ *
+ * @param joints  a node each, in the order of the matrices. @param roots  numbers of the nodes that hang from no other joint
+ */
+export function skeletonOf(
+  joints: readonly GltfNode[],
+  roots: number[],
+  inverseBindMatrices: number,
+  placement: Parameters<GltfAddition>[0]['placement'],
+): Required<Pick<ReturnType<GltfAddition>, 'nodes' | 'more'>> {
+  const numbers = joints.map((_, joint) => FIRST_JOINT + joint);
+  return {
+    // A skinned mesh ignores its node: what places it places the skeleton.
+    nodes: ({ translation: _t, rotation: _r, scale: _s, ...mesh }) => ({
+      nodes: [{ ...mesh, skin: 0 }, { name: 'skeleton', children: roots, ...placement }, ...joints],
+      shown: [0, SKELETON],
+    }),
+    more: { skins: [{ joints: numbers, skeleton: SKELETON, inverseBindMatrices }] },
+  };
+}
 
 /** Attributes of joints and weights, a set for each four of a vertex. */
 export function writeInfluences(

@@ -4,7 +4,7 @@ import { compose, invert } from './affine';
 import { F32 } from './gltf-accessors';
 import { type BufferBuilder, buildGltf, type GltfAddition } from './gltf-build';
 import { packGltf } from './gltf-container';
-import { writeInfluences } from './gltf-rig-write';
+import { FIRST_JOINT, skeletonOf, writeInfluences } from './gltf-rig-write';
 import type { GltfNode } from './gltf-schema';
 
 /**
@@ -19,10 +19,6 @@ export function writeSkinnedGltf(model: Model, skin: Skin, format: 'glb' | 'gltf
   return packGltf(json, binary, format);
 }
 
-/** Behind the node with the mesh: the skeleton, the resting joint, the others. */
-const SKELETON = 1;
-const FIRST_JOINT = 2;
-
 const additionOf =
   (skin: Skin): GltfAddition =>
   ({ binary, vertex, origin, placement }) => {
@@ -31,20 +27,10 @@ const additionOf =
     const posed = lessOrigin(skin.posed, origin);
     const inverseBindMatrices = writeInverses(binary, rest);
     const animation = writeAnimation(binary, skin, posed, origin);
-    const joints = skin.joints.map((_, joint) => FIRST_JOINT + joint);
-    return {
-      attributes,
-      // A skinned mesh ignores its node: what places it places the skeleton.
-      nodes: ({ translation: _t, rotation: _r, scale: _s, ...mesh }) => ({
-        nodes: [
-          { ...mesh, skin: 0 },
-          { name: 'skeleton', children: joints, ...placement },
-          ...skin.joints.map((name, joint) => ({ name, ...nodeAt(posed, joint) })),
-        ],
-        shown: [0, SKELETON],
-      }),
-      more: { skins: [{ joints, skeleton: SKELETON, inverseBindMatrices }], ...animation },
-    };
+    const joints = skin.joints.map((name, joint) => ({ name, ...nodeAt(posed, joint) }));
+    const all = joints.map((_, joint) => FIRST_JOINT + joint);
+    const { nodes, more } = skeletonOf(joints, all, inverseBindMatrices, placement);
+    return { attributes, nodes, more: { ...more, ...animation } };
   };
 
 function writeInverses(binary: BufferBuilder, rest: Float64Array): number {
