@@ -34,13 +34,13 @@ test('a soup is told from a surface, welded or not, and from a sheet', () => {
   expect(isSoup(Uint32Array.of(0, 1, 2, 3, 4, 5), identityWeld(6))).toBe(false);
 });
 
-test('dots are half as large again as points are apart, whatever the unit', () => {
+test('dots are as large as points are apart, whatever the unit', () => {
   const places = Float32Array.from(ball.positions);
   const size = dotSize(places, ball.triangles);
   // An even share of the unit sphere.
   const gap = Math.sqrt((4 * Math.PI) / count);
-  expect(size).toBeGreaterThan(1.4 * gap);
-  expect(size).toBeLessThan(1.6 * gap);
+  expect(size).toBeGreaterThan(0.75 * gap);
+  expect(size).toBeLessThan(gap);
   expect(
     dotSize(
       places.map((x) => 100 * x),

@@ -5,8 +5,8 @@
 const LOOSE = 1.5;
 /** Fewer triangles are a sheet or two, which have a back. */
 const FEW = 64;
-/** Of the mean gap between points: five in six of a surface are covered, so that it reads as one, and each point is still seen. */
-const FILLED = 1.5;
+/** Of the mean gap between points: they touch no other, and hide what is behind. */
+const FILLED = 0.85;
 
 /** Whether most triangles share no corners: a soup, of which nobody can say which side is the inside. */
 export function isSoup(triangles: Uint32Array, welded: Int32Array): boolean {

@@ -82,7 +82,7 @@ export class ModelView {
     this.inwards = facesInwards(this.#position.array as Float32Array, model.triangles);
     this.dotSize = isCloud ? dotSize(this.#position.array as Float32Array, model.triangles) : 0;
     this.insideUnknown = isCloud || isSoup(model.triangles, model.welded);
-    this.#screen?.setBehind(1.5 * this.dotSize);
+    this.#screen?.setBehind(2.5 * this.dotSize);
     // Shadows are looked up a little outside of a surface, which a turned triangle has on its other side.
     this.mesh.castShadow = !isCloud;
     this.mesh.receiveShadow = !this.insideUnknown;
